@@ -63,10 +63,13 @@ def model_description(token, tool, version, starts, units=()):
 
 
 def build_description(units):
-    """The file sources/buildDescription.xml as bytes: which C files are compiled, and how."""
+    """The file sources/buildDescription.xml as bytes: which C files are compiled, by which compiler, and how.
+
+    The options are those of gcc, which is named with them; clang takes the same ones.
+    """
     root = Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = SubElement(root, "BuildConfiguration", modelIdentifier=MODEL)
-    files = SubElement(configuration, "SourceFileSet", language="C11",
+    files = SubElement(configuration, "SourceFileSet", language="C11", compiler="gcc",
                        compilerOptions="-O3 -ffp-contract=off")
     for name in units:
         SubElement(files, "SourceFile", name=name)

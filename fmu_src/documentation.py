@@ -131,8 +131,13 @@ def about_python():
 <h2>This FMU</h2>
 <p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. On a
 platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
-results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002; UIC60, 60E1, 54E1) or the name
+results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002, cone20, cone40; UIC60, 60E1, 54E1) or the name
 of a file in the FMU's <code>resources</code>.</p>
+<p>A wrong call (an unknown value reference, a wrong type, a parameter that is not permitted, a call out of order) changes
+nothing and gives one sentence in the log and on the console. PythonFMU, which calls the program, knows no error: the call
+returns fmi2OK, and values that cannot be read are nan. A step that is refused returns fmi2Discard with the wish to end the
+simulation; so does every step after a refused initialisation, where <code>status</code> is 4.</p>
+<p>A saved state holds inputs, parameters, outputs, the time, stopTime and the start values of the search.</p>
 """
 
 
@@ -151,7 +156,7 @@ results by rounding.</p>
 <p>Profiles are packed: <code>wheel_profile</code> is one of {names["wheel"]}, <code>rail_profile</code> one of
 {names["rail"]}. These and all other parameters are fixed when initialisation mode is left.</p>
 <p>A wrong call (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of order) returns
-an error with one sentence in the log, and the instance continues. An input that is not a number, or a contact off the
+an error with one sentence in the log, without debug logging too, and the instance continues. An input that is not a number, or a contact off the
 profile, is not an error but a <code>status</code>.</p>
 <p>It has directional derivatives of all continuous outputs with respect to all inputs{ADJOINT[version]}. At a jump they are
 those of the side on which the pose lies. With status 1 the derivatives of the unloaded wheel's patch are zero; with status 2
@@ -159,7 +164,7 @@ and higher, where outputs are held, all are zero.</p>
 <p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is created and
 initialised, and for saved states, never in a step. Instances share constant data only, so each may run in a thread of its
 own; one instance is for one thread at a time.</p>
-<p>A saved state holds inputs, parameters, outputs, the time and the start values of the search. A simulation that continues
+<p>A saved state holds inputs, parameters, outputs, the time, stopTime and the start values of the search. A simulation that continues
 from it gives the same bits as one that was not interrupted. Its bytes can be read by any instance of the same FMU (same
 {TOKENS[version]}) on the same kind of machine; other instances refuse them.</p>
 """

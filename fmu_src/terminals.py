@@ -17,9 +17,10 @@ LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 def terminals_and_icons(version, names):
     """Entries of the archive for FMI ``version`` (2 or 3), whose variables are called ``names``.
 
-    FMI 2 takes the file over from FMI 3; FMI Library reads it only if both files say the same version.
+    FMI 2 takes the file over from FMI 3 as it is: its schema, which is that of FMI 3, permits only versions
+    3.x of it, in an archive of FMI 2 too.
     """
-    root = Element("fmiTerminalsAndIcons", fmiVersion=f"{version}.0")
+    root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
     picture = SubElement(root, "GraphicalRepresentation")
     SubElement(picture, "CoordinateSystem", {**corners, "suggestedScalingFactorTo_mm": "0.1"})

@@ -1,56 +1,68 @@
-import ctypes
+import math
 import sys
 
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
-from wrcontact.simulation.session import Session
+from wrcontact.simulation.session import STATUS, Refused, Session
 
 
 class WheelsetContact(Fmi2Slave):
     """Wheelset on track as an FMI 2.0 co-simulation slave: passes values to a Session and back.
 
-    PythonFMU executes this file for every instance, so it contains only one class and its imports.  A step
-    always succeeds: problems are reported by the output ``status`` and by one line in the log.
+    PythonFMU executes this file for every instance, so it contains only one class and its imports.
+
+    No exception reaches PythonFMU: it would return fmi2Fatal, and write to the log without a category, which
+    ends some hosts.  A call that is refused changes nothing and gives one line in logStatusError.  PythonFMU
+    knows no fmi2Error: such a call returns fmi2OK, and a step fmi2Discard with the wish to terminate.
     """
 
     def __init__(self, **kwargs):
         super().__init__(**kwargs)
         self.session = Session(resources=self.resources, tell=self._warn)
+        self.shown = None  # the sentence that the console shows last
+
+    def setup_experiment(self, start_time, stop_time=None, tolerance=None):
+        self._do(self.session.set_up, start_time, stop_time)
 
     def enter_initialization_mode(self):
-        self._do(self.session.initialise)
+        self._do(self.session.enter)
 
     def exit_initialization_mode(self):
-        self._do(self.session.start)
+        self._do(self.session.leave)
 
     def do_step(self, current_time, step_size):
-        try:
-            self.session.step()
-        except Exception as bug:
-            self.log(f"internal error, please report it: {bug!r}", Fmi2Status.error, "logStatusError")
-        return True
+        return self._do(self.session.step, current_time, step_size) is None
+
+    def terminate(self):
+        self._do(self.session.terminate)
 
     def get_real(self, vrs):
-        return self._do(self.session.get_reals, vrs)
+        return self._do(self.session.get_reals, vrs) or [math.nan] * len(vrs)
 
     def set_real(self, vrs, values):
         self._do(self.session.set_reals, vrs, values)
 
     def get_integer(self, vrs):
-        return self._do(self.session.get_integers, vrs)
+        return self._do(self.session.get_integers, vrs) or [4 if vr == STATUS else 0 for vr in vrs]
 
     def set_integer(self, vrs, values):
         self._do(self.session.set_integers, vrs, values)
 
     def get_string(self, vrs):
-        return self._do(self.session.get_strings, vrs)
+        return self._do(self.session.get_strings, vrs) or [""] * len(vrs)
 
     def set_string(self, vrs, values):
         self._do(self.session.set_strings, vrs, values)
 
+    def get_boolean(self, vrs):
+        return self._do(self.session.refuse_booleans, vrs) or [False] * len(vrs)
+
+    def set_boolean(self, vrs, values):
+        self._do(self.session.refuse_booleans, vrs)
+
     def _get_fmu_state(self):
-        return self.session.snapshot()
+        return self._do(self.session.snapshot) or b""
 
     def _set_fmu_state(self, state):
         self._do(self.session.restore, state)
@@ -63,22 +75,27 @@ class WheelsetContact(Fmi2Slave):
     def _fmu_state_from_bytes(state):
         return state
 
-    def _warn(self, sentence):
-        self.log(sentence, Fmi2Status.warning, "logStatusWarning")
-
     def _do(self, action, *arguments):
-        """Run an action; if it is refused, report the reason in the log and on the console, and let the FMI
-        call fail.
+        """What an action returns; False if it is refused, with the reason in the log and on the console.
 
-        PythonFMU releases its references to the class, the instance and its log when a call fails, and again
-        when the instance is freed.  An additional reference to each keeps the instance alive.
+        A host gets the log only with debug logging on, so the console has the sentence too; not again and
+        again.
         """
         try:
             return action(*arguments)
-        except Exception as refusal:
-            for held in (type(self), self, self.log_queue):
-                ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))
-            self.log(str(refusal), Fmi2Status.error, "logStatusError")
-            if sys.stderr:  # a host with logging off would show nothing
-                print(f"{self.instance_name}: {refusal}", file=sys.stderr)
-            raise
+        except Refused as refusal:
+            sentence = str(refusal)
+        except Exception as bug:
+            sentence = f"internal error, please report it: {bug!r}"
+        self._note(sentence, Fmi2Status.error, "logStatusError")
+        if sys.stderr and sentence != self.shown:
+            print(f"{self.instance_name}: {sentence}", file=sys.stderr)
+            self.shown = sentence
+        return False
+
+    def _warn(self, sentence):
+        self._note(sentence, Fmi2Status.warning, "logStatusWarning")
+
+    def _note(self, sentence, status, category):
+        """One line in the log, which is a format and has value references between number signs."""
+        self.log(sentence.replace("%", "%%").replace("#", "##"), status, category)

@@ -21,15 +21,15 @@ from .methods import (
     VerticalLoad,
     VerticalSeparation,
 )
-from .profiles import Profile, ProfileWarning
+from .profiles import Profile, ProfileFile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain
 from .stepper import Stepper
 from .system import ContactSystem
 
 __version__ = "0.1.0"
-__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check",
-           "explain", "Material", "Track", "Wheelset",
+__all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status", "Stepper",
+           "WheelsetState", "check", "explain", "Material", "Track", "Wheelset",
            "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
            "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
            "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]

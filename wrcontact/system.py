@@ -33,7 +33,9 @@ class ContactSystem:
 
     Parameters
     ----------
-    wheel, rail : name of a standard profile, path of a profile file, or :class:`~wrcontact.profiles.Profile`.
+    wheel, rail : name of a standard profile in any case, path of a profile file,
+        :class:`~wrcontact.ProfileFile` (a path with what the file does not say), or
+        :class:`~wrcontact.Profile`.
     track, wheelset, material : records of the keywords that follow, or None.
 {parameters}
 

@@ -3,23 +3,16 @@
 #include <string.h>
 
 #include "fmi2_instance.h"
+#include "sentences.h"
 
-/* One line to the host's log; the message is a format there, so a percent sign is doubled. */
+/* One line to the host's log. */
 static void tell(const fmi2CallbackFunctions *callbacks, const char *name, fmi2Status status, const char *category,
                  const char *sentence)
 {
     char message[2 * MODEL_SENTENCE];
-    size_t at = 0;
-    if (!callbacks->logger)
-        return;
-    for (; *sentence && at + 2 < sizeof message; sentence += 1)
-    {
-        if (*sentence == '%')
-            message[at++] = '%';
-        message[at++] = *sentence;
-    }
-    message[at] = 0;
-    callbacks->logger(callbacks->componentEnvironment, name, status, category, message);
+    if (callbacks->logger)
+        callbacks->logger(callbacks->componentEnvironment, name, status, category,
+                          sentence_doubled(sentence, "%#", message, sizeof message));
 }
 
 static void tell_warning(void *owner, const char *sentence)
@@ -79,7 +72,8 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");
     }
     memcpy(self->name, name, strlen(name) + 1);
-    self->warnings = self->errors = logging != fmi2False;
+    self->warnings = logging != fmi2False;
+    self->errors = true;            /* why a call failed is no debug message */
     return self;
 }
 
@@ -105,7 +99,10 @@ fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, size_t c
         if (!categories[i] || (strcmp(categories[i], "logStatusWarning") != 0 && strcmp(categories[i], "logStatusError") != 0))
             return fmi2_refuse(self, "fmi2SetDebugLogging", "permitted categories are logStatusWarning, logStatusError");
     if (count == 0)
-        self->warnings = self->errors = on != fmi2False;
+    {
+        self->warnings = on != fmi2False;
+        self->errors = true;        /* only its own name switches it off */
+    }
     for (size_t i = 0; i < count; i += 1)
         *(strcmp(categories[i], "logStatusWarning") == 0 ? &self->warnings : &self->errors) = on != fmi2False;
     return fmi2OK;

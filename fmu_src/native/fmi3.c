@@ -3,12 +3,22 @@
 #include <string.h>
 
 #include "fmi3_instance.h"
+#include "sentences.h"
+
+/* One line to the host's log. */
+static void tell(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3Status status, const char *category,
+                 const char *sentence)
+{
+    char message[2 * MODEL_SENTENCE];
+    if (log)
+        log(environment, status, category, sentence_doubled(sentence, "#", message, sizeof message));
+}
 
 static void tell_warning(void *owner, const char *sentence)
 {
     const instance *self = owner;
-    if (self->warnings && self->log)
-        self->log(self->environment, fmi3Warning, "logStatusWarning", sentence);
+    if (self->warnings)
+        tell(self->environment, self->log, fmi3Warning, "logStatusWarning", sentence);
 }
 
 /* What an action's outcome is to the host. */
@@ -16,8 +26,8 @@ fmi3Status fmi3_answer(const instance *self, int refused)
 {
     if (!refused)
         return fmi3OK;
-    if (self->errors && self->log)
-        self->log(self->environment, fmi3Error, "logStatusError", self->wheelset->sentence);
+    if (self->errors)
+        tell(self->environment, self->log, fmi3Error, "logStatusError", self->wheelset->sentence);
     return fmi3Error;
 }
 
@@ -32,8 +42,7 @@ const char *fmi3GetVersion(void) { return fmi3Version; }
 
 static fmi3Instance refuse_instance(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, const char *sentence)
 {
-    if (log)
-        log(environment, fmi3Error, "logStatusError", sentence);
+    tell(environment, log, fmi3Error, "logStatusError", sentence);
     return NULL;
 }
 
@@ -63,7 +72,8 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     }
     self->environment = environment;
     self->log = log;
-    self->warnings = self->errors = logging;
+    self->warnings = logging;
+    self->errors = true;            /* why a call failed is no debug message */
     return self;
 }
 
@@ -103,7 +113,10 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance component, fmi3Boolean on, size_t co
         if (!categories[i] || (strcmp(categories[i], "logStatusWarning") != 0 && strcmp(categories[i], "logStatusError") != 0))
             return fmi3_refuse(self, "fmi3SetDebugLogging", "permitted categories are logStatusWarning, logStatusError");
     if (count == 0)
-        self->warnings = self->errors = on;
+    {
+        self->warnings = on;
+        self->errors = true;        /* only its own name switches it off */
+    }
     for (size_t i = 0; i < count; i += 1)
         *(strcmp(categories[i], "logStatusWarning") == 0 ? &self->warnings : &self->errors) = on;
     return fmi3OK;

@@ -67,6 +67,20 @@ const char *sentence_quoted(const char *text, char *result, size_t size)
     return result;
 }
 
+/* The text with each character of `marks` in it twice, as far as it has room. */
+const char *sentence_doubled(const char *text, const char *marks, char *result, size_t size)
+{
+    size_t at = 0;
+    for (; *text && at + 2 < size; text += 1)
+    {
+        if (strchr(marks, *text))
+            result[at++] = *text;
+        result[at++] = *text;
+    }
+    result[at] = 0;
+    return result;
+}
+
 /* The first input that is not permitted, in a clause. */
 static void invalid_input(const double *inputs, char *text, size_t size)
 {

@@ -9,6 +9,10 @@ const char *sentence_rounded(double value, int digits, char *text, size_t size);
 const char *sentence_shortest(double value, char *text, size_t size);       /* in the fewest digits that give it back */
 const char *sentence_quoted(const char *text, char *result, size_t size);   /* in quotes, without control characters */
 
+/* The text with each character of `marks` in it twice, as far as it has room.  A message of FMI has `##` for `#`, which stands
+ * around value references there; in FMI 2 it is a format as well and has `%%` for `%`. */
+const char *sentence_doubled(const char *text, const char *marks, char *result, size_t size);
+
 /* The same in a place of its own, for one sentence. */
 #define FOUR_DIGITS(value) sentence_rounded((value), 4, (char[32]){0}, 32)
 #define SIX_DIGITS(value) sentence_rounded((value), 6, (char[32]){0}, 32)

@@ -83,16 +83,33 @@ static int fill_resolution(wheelset *self, double *setup)
     return wheelset_refuse(self, "normal_model is '%s', which has no resolution", model);
 }
 
-/* The profile that a String names. */
+/* Whether two names differ at most in the case of their letters a to z. */
+static bool same_but_case(const char *one, const char *other)
+{
+    for (; *one && *other; one += 1, other += 1)
+    {
+        const int a = *one >= 'A' && *one <= 'Z' ? *one - 'A' + 'a' : *one;
+        const int b = *other >= 'A' && *other <= 'Z' ? *other - 'A' + 'a' : *other;
+        if (a != b)
+            return false;
+    }
+    return *one == *other;
+}
+
+/* The profile that a String names; its case matters only between profiles that differ in nothing else. */
 static int find_profile(wheelset *self, const char *kind, int slot, array_double_1d *definition)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
     size_t length = 0;
     const char *other = "";
+    bool exact = false;
+    for (int i = 0; i < MODEL_PROFILES; i += 1)
+        exact = exact || strcmp(self->core.text[slot], model_profiles[i].name) == 0;
     for (int i = 0; i < MODEL_PROFILES; i += 1)
     {
         const model_profile *profile = model_profiles + i;
-        const bool named = strcmp(self->core.text[slot], profile->name) == 0;
+        const bool named = exact ? strcmp(self->core.text[slot], profile->name) == 0
+                                 : same_but_case(self->core.text[slot], profile->name);
         if (strcmp(profile->kind, kind) != 0)
         {
             if (named)

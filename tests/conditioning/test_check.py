@@ -127,7 +127,7 @@ def test_noise_that_is_not_smoothed_is_told(tmp_path):
                              smoothing=0.0)
     report = wrcontact.check(ContactSystem(wheel, rail))
     assert report.wheel.roughness > 100 and report.rail.roughness > 100     # [1/m]
-    assert any("follow noise" in remark for remark in report.remarks)
+    assert any("follows noise" in remark for remark in report.remarks)
     assert any(remark.startswith("the right contact jumps") for remark in report.remarks)
     assert report.conicity.level[2] == pytest.approx(0.180, abs=0.01)
 

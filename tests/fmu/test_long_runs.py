@@ -184,7 +184,8 @@ def digest_of(system, way, seed, steps):
     digest, stepper = hashlib.blake2b(digest_size=8), system.stepper()
     for lateral_shift, yaw, roll_guess, normal_force, load_transfer in Walker(seed).rows(steps):
         if way == "evaluate":
-            state = system.evaluate(lateral_shift, yaw, normal_force, load_transfer, roll_guess)
+            state = system.evaluate(lateral_shift, yaw, normal_force, load_transfer,
+                                    roll_guess=roll_guess)
             status, values = state.status, state.values
         else:
             stepper.inputs[:5] = lateral_shift, yaw, roll_guess, normal_force, load_transfer

@@ -11,7 +11,7 @@ from fmpy.fmi2 import (
     fmi2CallbackLoggerTYPE,
 )
 
-from fmi_host import Stepping
+from fmi_host import Stepping, refused
 
 
 class Fmu:
@@ -74,6 +74,12 @@ class Instance(Stepping):
             if some:
                 found.update(zip((v.name for v in some), get_values([v.valueReference for v in some])))
         return {name: value.decode() if isinstance(value, bytes) else value for name, value in found.items()}
+
+    def refuses(self, call, *arguments):
+        """Whether a call is refused: it fails, or the log has an error, if PythonFMU has no status for it."""
+        lines = len(self.log)
+        return (refused(call, *arguments)
+                or any(category == "logStatusError" for _, category, _ in self.log[lines:]))
 
 
 def resident():

@@ -12,6 +12,7 @@ from ctypes import c_double, c_size_t, c_uint32
 
 import fmpy
 
+import fmi3_life
 import fmi3_stations
 import fmi_host
 from damages import damages
@@ -246,6 +247,6 @@ def not_made(fmu):
 
 if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
-    found = {**vars(fmi_host), **vars(fmi3_stations), **globals()}[scenario]
-    answer = found(Fmu(file, folder), **json.load(sys.stdin))
+    scenarios = {**vars(fmi_host), **vars(fmi3_stations), **vars(fmi3_life), **globals()}
+    answer = scenarios[scenario](Fmu(file, folder), **json.load(sys.stdin))
     print(json.dumps(answer), flush=True)

@@ -177,7 +177,8 @@ def categories(fmi):
     def after(on, *names):
         return switch(fmi, c, on, *names), len(fmi.told()), lines()
 
-    return {"first": lines(), "all off": after(0), "warnings on": after(1, b"logStatusWarning"),
+    return {"first": lines(), "all off": after(0), "errors off": after(0, b"logStatusError"),
+            "warnings on": after(1, b"logStatusWarning"),
             "unknown": after(0, b"logStatusWarning", b"logAll"),
             "errors on, too": after(1, b"logStatusError"), "warnings off": after(0, b"logStatusWarning"),
             "all on": after(1)}

@@ -29,7 +29,7 @@ def bad_input(fmi):
         "fixed Real": lambda: fmi.set(c, gauge=1.5),
         "fixed Real nan": lambda: fmi.set(c, gauge=math.nan),
         "fixed String": lambda: fmi.set_text(c, "load", b"vertical"),
-        "fixed String with signs": lambda: fmi.set_text(c, "load", b"%s%n%%d"),
+        "fixed String with signs": lambda: fmi.set_text(c, "load", b"%s%n%%d #7"),
         "String without letters": lambda: fmi.set_text(c, "load", None),
         "long String": lambda: fmi.set_text(c, "load", b"x" * 5000),
         "half a list": lambda: fmi.values(put, c, [reference["lateral_shift"], reference["roll"]], two),

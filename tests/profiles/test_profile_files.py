@@ -247,7 +247,7 @@ REFUSED = {
     "wheel for rail": (columns(Y, Z), "rail", "own.txt",
             r"is 129\.8 mm wide before it turns back; permitted are 20 \.\.\. 110 mm for a rail"),
     "half a rail": (columns(RAIL_Y[RAIL_Y > 0], RAIL_Z[RAIL_Y > 0]), "rail", "own.txt",
-            "permitted are heads with 10 mm or more on either side"),
+            "permitted are heads with 2 mm or more on either side"),
     "gap": (columns(Y[(Y < -5) | (Y > 15)], Z[(Y < -5) | (Y > 15)]), "wheel", "own.txt",
             r"has no points between y = -5\.\d+ and 15\.\d+ mm, a gap of 20\.\d mm; permitted are 10 mm or "
             r"a straight"),

@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
+import wrcontact
 from tests.helpers.numpy_profiles import compile_profile
 from wrcontact.kernel.layout import PIECE_SIZE, offset
 from wrcontact.kernel.layout import Profile as Table
 from wrcontact.kernel.prepare.pieces import REPAIR_WIDTH
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
+from wrcontact.profiles.catalogue import standard_name
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.find import find_profile
@@ -200,4 +202,15 @@ def test_unusable_points_are_refused(tmp_path, text, sentence):
     path.write_text(text)
     with pytest.raises(ValueError, match=sentence):
         Profile.from_file(path, "wheel")
-    assert WHEELS == ("S1002",)
+
+
+@pytest.mark.parametrize("name", ["s1002", "S1002", "Uic60", "60e1", "54E1", "CONE40"])
+def test_names_are_read_without_regard_to_case(name):
+    kind = "wheel" if standard_name(name) in WHEELS else "rail"
+    assert find_profile(name, kind) is standard_profile(standard_name(name))
+
+
+@pytest.mark.parametrize("name, slope", [("cone20", 1 / 20), ("cone40", 1 / 40)])
+def test_cones_have_the_conicity_of_their_slope(name, slope):
+    conicity = wrcontact.check(wrcontact.ContactSystem(wheel=name)).conicity
+    np.testing.assert_allclose(conicity.level, slope, rtol=1e-3)

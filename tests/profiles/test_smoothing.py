@@ -122,7 +122,7 @@ def test_a_fold_where_wheel_and_rail_meet_is_refused(tmp_path):
     with pytest.raises(ValueError,
                        match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that "
                        r"from "
-                                         r"z = 5 mm on and beyond y = 25 mm$"):
+                                         r"z = 5 mm on, behind the flange and beyond y = 25 mm$"):
         read(tmp_path, columns(y, z), smoothing=0.0)
     assert "noise of 2" in read(tmp_path, columns(y, z))[1]
 

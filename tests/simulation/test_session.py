@@ -2,9 +2,9 @@
 
 import math
 
-import numpy as np
 import pytest
 
+from tests.helpers.fake_system import FakeSystem
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
     INPUT,
@@ -22,36 +22,6 @@ from wrcontact.simulation import session as module
 from wrcontact.simulation.session import Refused, Session
 
 SHIFT, FORCE, TRANSFER = (REFERENCE[name] for name in ("lateral_shift", "normal_force", "load_transfer"))
-
-
-class FakeStepper:
-    """Outputs count up from the sum of the inputs, plus what the memory holds; a
-    negative force is invalid."""
-
-    def __init__(self):
-        self.inputs, self.outputs, self.state = (np.zeros(layout.INPUT_COUNT), np.zeros(layout.OUTPUT_COUNT),
-                                                 np.zeros(3))
-
-    def step(self):
-        if not np.isfinite(self.inputs).all() or self.inputs[layout.IN_NORMAL_FORCE] < 0:
-            return layout.INVALID_INPUT
-        self.state[0] += 0.1
-        self.outputs[:] = self.inputs.sum() + np.arange(layout.OUTPUT_COUNT) + self.state[0]
-        return layout.VALID
-
-
-class FakeSystem:
-    """Accepts a gauge from 1 to 2 m, and keeps what it was made with."""
-
-    made = []
-
-    def __init__(self, **arguments):
-        if not 1.0 <= arguments["gauge"] <= 2.0:
-            raise ValueError(f"gauge is {arguments['gauge']} m, permitted is 1 to 2 m")
-        self.made.append(arguments)
-
-    def stepper(self):
-        return FakeStepper()
 
 
 @pytest.fixture
@@ -238,9 +208,14 @@ def test_invalid_start_is_told_at_the_first_instant(session, lines):
     assert len(lines) == 2
 
 
-def test_step_before_initialisation_is_told(session, lines):
-    session.step()
-    assert session.status == 4 and len(lines) == 1
+def test_values_are_set_completely_or_not_at_all(running):
+    with pytest.raises(Refused, match="roll is an output"):
+        running.set_reals([SHIFT, REFERENCE["roll"]], [1.0, 1.0])
+    with pytest.raises(Refused, match="load is fixed at 'normal'"):
+        running.set_strings([REFERENCE["load"]], ["vertical"])
+    with pytest.raises(Refused, match="load is a NULL pointer"):
+        running.set_strings([REFERENCE["load"]], [None])
+    assert running.get_reals([SHIFT]) == [0.0] and running.get_strings([REFERENCE["load"]]) == ["normal"]
 
 
 # --- saved states -----------------------------------------------------------------------------------
@@ -312,7 +287,7 @@ def test_snapshot_before_initialisation(session):
     saved = session.snapshot()
     session.start()
     session.restore(saved)
-    assert not session.locked
+    assert not session.life.locked
     session.set_reals([REFERENCE["gauge"]], [1.6])
     session.start()
     assert FakeSystem.made[-1]["gauge"] == 1.6

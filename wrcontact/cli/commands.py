@@ -13,6 +13,7 @@ from ..status import Status
 from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
+from .profile_files import reads_files
 from .report import (
     columns_of,
     is_compliant,
@@ -71,6 +72,7 @@ def demo(output: Annotated[Path, typer.Option(
 
 
 @main.command()
+@reads_files
 @takes(pose=POSE, system=SYSTEM)
 def solve(pose, system,
           as_json: Annotated[bool, typer.Option(
@@ -95,6 +97,7 @@ def solve(pose, system,
 
 
 @main.command()
+@reads_files
 @takes(load=LOAD, system=SYSTEM)
 def sweep(load, system,
           start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
@@ -126,6 +129,7 @@ def sweep(load, system,
 
 
 @main.command()
+@reads_files
 @takes(pose=POSE, system=SYSTEM)
 def plot(pose, system,
          output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
@@ -148,6 +152,7 @@ def plot(pose, system,
 
 
 @main.command()
+@reads_files
 @takes(geometry=GEOMETRY)
 def check(geometry,
           output: Annotated[Path, typer.Option(

@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from .. import ContactSystem
-from ..profiles.catalogue import BUILDERS
+from ..profiles.catalogue import BUILDERS, standard_name
 from .online import PACKAGE
 
 #: Time of every entry in the archive, so that the time of the build does not change the bytes.
@@ -22,9 +22,12 @@ def chosen_profiles(smoothing=None, **chosen):
     Files are packed as prepared profiles with their own names: reading points needs scipy,
     which an FMU does not have.
     """
-    starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
-    given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
-    system = ContactSystem(**given, smoothing=smoothing)
+    given = {parameter: name for parameter, name in chosen.items() if name is not None}
+    system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in given.items()},
+                           smoothing=smoothing)
+    starts = {parameter: str(name) for parameter, name in given.items()}
+    starts |= {parameter: standard_name(name) for parameter, name in starts.items()
+               if standard_name(name) and not Path(name).is_file()}
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):

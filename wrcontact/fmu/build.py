@@ -42,7 +42,8 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
     Parameters
     ----------
     output : folder of the FMU, created if necessary.
-    wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
+    wheel, rail : file of a profile that is packed and becomes the default, a path or a
+        :class:`~wrcontact.ProfileFile`; or a built-in name.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises

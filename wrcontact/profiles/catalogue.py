@@ -2,6 +2,7 @@
 
 Wheel
     S1002: EN 13715 / UIC 510-2, zones A to H.
+    cone20, cone40: cones of 1:20 and 1:40 without flange.
 Rails
     crown R300, shoulder R80, gauge corner R13, side 1:20, tangent to each other and symmetric:
     UIC60 (the widths of the Manchester benchmark's rail), 60E1 and 54E1 (EN 13674-1).
@@ -30,6 +31,12 @@ def s1002():
         Polynomial(32.15796, 60.0, (1.364323640, -0.066666667)),
     )
     return Profile("S1002", "wheel", zones)
+
+
+def cone(name, run):
+    """A cone that rises by 1 in ``run`` towards the field side, without flange [mm], for comparison with
+    closed forms: its equivalent conicity is 1 / run."""
+    return Profile(name, "wheel", (Polynomial(-40.0, 60.0, (0.0, -1.0 / run)),))
 
 
 def rail_head(name, *, crown_half_width, shoulder_half_width, corner_half_width, depth=40.0):
@@ -61,6 +68,8 @@ def _tangent_arc(previous, radius, start, stop):
 
 BUILDERS = {
     "S1002": s1002,
+    "cone20": lambda: cone("cone20", 20.0),
+    "cone40": lambda: cone("cone40", 40.0),
     "UIC60": lambda: rail_head("UIC60", crown_half_width=10.5, shoulder_half_width=25.988023,
                                corner_half_width=36.0),
     "60E1": lambda: rail_head("60E1", crown_half_width=10.228, shoulder_half_width=26.0265,
@@ -68,7 +77,7 @@ BUILDERS = {
     "54E1": lambda: rail_head("54E1", crown_half_width=10.012, shoulder_half_width=24.864,
                               corner_half_width=35.0),
 }
-WHEELS = ("S1002",)
+WHEELS = ("S1002", "cone20", "cone40")
 RAILS = ("UIC60", "60E1", "54E1")
 
 
@@ -76,3 +85,8 @@ RAILS = ("UIC60", "60E1", "54E1")
 def standard_profile(name):
     """The built-in profile called ``name``; KeyError if there is none."""
     return BUILDERS[name]()
+
+
+def standard_name(name):
+    """The built-in profile's name that differs from ``name`` at most in case; None if there is none."""
+    return next((known for known in BUILDERS if known.lower() == name.lower()), None)

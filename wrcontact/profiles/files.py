@@ -17,7 +17,7 @@ import numpy as np
 
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import SMOOTHING
-from .formats import read_points
+from .readers import read_points
 from .reading import Reading
 from .remarks import Refusal, remark
 from .repair import LEAST_POINTS, WIDTHS, mend
@@ -30,28 +30,31 @@ LARGEST_FILE = 4_000_000
 LEVEL = 1e-9
 
 
-def read_profile(path, kind, smoothing, make):
-    """The profile in the file at ``path``; ValueError, in one sentence, if the file cannot be used.
+def read_profile(file, kind, smoothing, make):
+    """The profile in a ``file``; ValueError, in one sentence, if the file cannot be used.
 
     Parameters
     ----------
-    path : file of points in a format of formats.py, or a prepared file.
+    file : :class:`~wrcontact.profiles.options.ProfileFile` of points in a format of readers.py, or of a
+        prepared file.
     kind : "wheel" or "rail".
     smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through
         every point; None is the estimated noise of the points, and no smoothing if that is below 0.01 um.
     make : the class of the profile.
     """
-    tolerance = smoothing_in_mm(smoothing)
+    tolerance, path = smoothing_in_mm(smoothing), os.fspath(file.path)
     try:
         text = _text(path)
+        _check_options(file, kind, prepared=text.lstrip().startswith("{"))
         if text.lstrip().startswith("{"):
             return _prepared(text, kind, make)
         name, extension = os.path.splitext(os.path.basename(path))
-        points = read_points(text, extension.lower(), kind)
+        points = read_points(text, extension.lower(), kind, file.select)
         remarks = [*points.remarks]
-        profile = _smooth_profile(mend(points, kind, remarks), name, kind, tolerance, remarks, make)
+        found = mend(points, kind, file, remarks, keep_all=tolerance == 0.0)
+        profile = _smooth_profile(found, name, kind, tolerance, remarks, make)
     except Refusal as problem:
-        raise ValueError(f"{kind} profile {os.fspath(path)} {problem}") from None
+        raise ValueError(f"{kind} profile {path} {problem}") from None
     remark(kind, os.path.basename(path), remarks)
     return profile
 
@@ -61,6 +64,17 @@ def smoothing_in_mm(smoothing):
     ValueError outside SMOOTHING."""
     value = SMOOTHING.checked("smoothing", smoothing)
     return None if value is None else value / MM
+
+
+def _check_options(file, kind, *, prepared):
+    """Refuse options that this file does not use."""
+    if prepared and file.given:
+        name = file.given[0]
+        raise Refusal(f"is a prepared profile, which is not changed; {name} is {getattr(file, name)!r}; "
+                      "permitted is that for files of points")
+    if kind == "wheel" and file.file_inclination is not None:
+        raise Refusal(f"is that of a wheel; file_inclination is {file.file_inclination:g}; permitted is that "
+                      "for rails")
 
 
 def _text(path):

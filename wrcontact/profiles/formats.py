@@ -1,8 +1,8 @@
-"""Points from the text of a profile file: plain columns, Simpack's .prw and .prr, MiniProf's .whl and .ban.
+"""Points from the text of a profile file: plain columns, and Simpack's .prw and .prr.
 
-Each reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file,
-with the unit, shift and mirror that the file itself states; everything that must be guessed is left to
-repair.py.
+MiniProf's files are read in miniprof.py, Vampire's in vampire.py; readers.py chooses the reader.  Each
+reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file, with
+the unit, shift and mirror that the file itself states; everything that must be guessed is left to repair.py.
 """
 
 import math
@@ -24,6 +24,9 @@ ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "
 COMMENTS = re.compile(r"[#!%].*|//.*")
 #: A line that is either two numbers with decimal commas or four whole numbers.
 AMBIGUOUS = re.compile(r"^[ \t]*[+-]?\d+,\d+,[+-]?\d+,\d+[ \t]*\r?$", re.MULTILINE)
+#: Endings of GENSYS's files: columns y and z in mm, y positive towards the track centre, z down (manual of
+#: its program KPF).
+GAUGE_AT_LARGER_Y = (".wheel", ".rail")
 UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4,
                "ft": 304.8}
 
@@ -45,19 +48,6 @@ class Points:
     remarks: list = field(default_factory=list)
 
 
-def read_points(text, extension, kind):
-    """The :class:`Points` in ``text``, in the format of ``extension`` (such as ".prw"); a Refusal if there
-    are none."""
-    named = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}.get(extension)
-    if named and named != kind:
-        raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
-    if extension in (".prw", ".prr") or re.search(r"^[ \t]*point\.begin", text, re.MULTILINE | re.IGNORECASE):
-        return simpack_points(text, kind)
-    if extension in (".whl", ".ban"):
-        return miniprof_points(text)
-    return plain_points(text)
-
-
 # --- plain columns ------------------------------------------------------------------------------------------
 
 
@@ -68,30 +58,30 @@ def plain_points(text):
     it cannot be a separator.  The first two columns are y and z, unless a header line names columns y and z.
     Comments start with #, !, % or //.  Lines with another number of fields than most lines are headers.
     """
-    rows = [(number, fields) for number, fields in _fields_of(text) if len(fields) >= 2]
+    rows = [(number, fields) for number, fields in fields_of(text) if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
         raise Refusal("has commas that may be decimal signs or separators; permitted are points as decimal "
                       "signs, or semicolons, tabs or blanks between the columns")
-    counts = [len(fields) for _, fields in rows if _number(fields[0]) is not None
-              and _number(fields[1]) is not None]
+    counts = [len(fields) for _, fields in rows if number_of(fields[0]) is not None
+              and number_of(fields[1]) is not None]
     if not counts:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     usual = max(set(counts), key=counts.count)
     first, second = _named_columns([fields for _, fields in rows], usual)
-    values = [(number, _number(fields[first]), _number(fields[second])) for number, fields in rows
+    values = [(number, number_of(fields[first]), number_of(fields[second])) for number, fields in rows
               if len(fields) == usual]
     values = [row for row in values if None not in row[1:]]
     if not values:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
-    points = _points(values)
+    points = points_of(values)
     used = set(points.lines.tolist())
     odd = [number for number, _ in rows if points.lines[0] < number < points.lines[-1] and number not in used]
     if odd:
-        points.remarks.append(_left_out("line", odd, "without two numbers"))
+        points.remarks.append(left_out("line", odd, "without two numbers"))
     return points
 
 
-def _fields_of(text):
+def fields_of(text):
     """Line number and fields of every line that is not empty."""
     lines = text.splitlines()
     if len(lines) > 5 * MOST_POINTS:
@@ -129,7 +119,7 @@ def _named_columns(rows, usual):
     return 0, 1
 
 
-def _number(text):
+def number_of(text):
     """``text`` as a number; NaN for a missing value, None for anything else."""
     text = text.strip("\"' ")
     if len(text) <= LONGEST_NUMBER and NUMBER.fullmatch(text):
@@ -137,7 +127,7 @@ def _number(text):
     return math.nan if text.lower() in ABSENT else None
 
 
-def _points(rows, free=False):
+def points_of(rows, free=False):
     """:class:`Points` from rows (line number, y, z[, weight])."""
     if len(rows) > MOST_POINTS:
         raise Refusal(f"has {len(rows)} points; permitted are at most {MOST_POINTS}")
@@ -145,7 +135,7 @@ def _points(rows, free=False):
     return Points(table[:, 1], table[:, 2], table[:, 3], table[:, 0].astype(int), free)
 
 
-def _left_out(word, numbers, why):
+def left_out(word, numbers, why):
     some = ", ".join(map(str, numbers[:3])) + (", ..." if len(numbers) > 3 else "")
     return f"{len(numbers)} {word}{'s' * (len(numbers) > 1)} {why} left out ({word} {some})"
 
@@ -172,7 +162,7 @@ def simpack_points(text, kind):
             inside, section = (word == "point.begin", word.removesuffix(".begin") if word.endswith(".begin")
                                else "")
         elif inside and line:
-            values = [_number(part) for part in line.replace(",", " ").split()[:3]]
+            values = [number_of(part) for part in line.replace(",", " ").split()[:3]]
             if len(values) < 2 or None in values:
                 bad.append(number)
             else:
@@ -183,9 +173,9 @@ def simpack_points(text, kind):
     if not rows:
         raise Refusal("contains no points between point.begin and point.end; permitted are Simpack profiles "
                       "with y and z there")
-    points = _points(rows)
+    points = points_of(rows)
     if bad:
-        points.remarks.append(_left_out("line", bad, "without two numbers"))
+        points.remarks.append(left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())
     if asked and asked != kind:
         raise Refusal(f"says header type {keys['header:type']}, which is a {asked} profile; permitted are "
@@ -197,7 +187,7 @@ def simpack_points(text, kind):
 def _processed(points, keys):
     """``points`` after the operations that the keys of a Simpack file define."""
     def value(key, default):
-        given = _number(keys.get(f"spline:{key}", ""))
+        given = number_of(keys.get(f"spline:{key}", ""))
         return default if given is None or not math.isfinite(given) else given
 
     if value("approx.smooth", 0.0) > 0.0:
@@ -229,37 +219,3 @@ def _apart(y, z, nearest):
         if last is None or not math.hypot(y[i] - y[last], z[i] - z[last]) < nearest:
             keep[i], last = True, i
     return keep
-
-
-# --- MiniProf -----------------------------------------------------------------------------------------------
-
-
-def miniprof_points(text):
-    """Points from MiniProf's .whl and .ban.
-
-    Header lines are ``Keyword=value``.  ``ColumnDef`` (such as X,Y,A,C,N) names the columns: X is lateral and
-    Y vertical, both in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be
-    measured from the back of its flange, upwards or downwards, and from either side; position and directions
-    are found from its shape.
-    """
-    columns, data = (0, 1), []
-    for line in text.splitlines():
-        key, equals, value = line.partition("=")
-        names = [name.strip().upper() for name in value.strip().split(",")]
-        if key.strip().lower() == "columndef" and names.count("X") == names.count("Y") == 1:
-            columns = names.index("X"), names.index("Y")
-        data.append("" if equals else line)
-    rows, bad = [], []
-    for number, fields in _fields_of("\n".join(data)):
-        values = [_number(fields[k]) if k < len(fields) else None for k in columns]
-        if None not in values:
-            rows.append((number, *values))
-        elif rows:
-            bad.append(number)
-    if not rows:
-        raise Refusal("contains no lines of numbers after its header; permitted are MiniProf profiles with X "
-                      "and Y in mm")
-    points = _points(rows, free=True)
-    if bad:
-        points.remarks.append(_left_out("line", bad, "without two numbers"))
-    return points

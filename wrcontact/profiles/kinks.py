@@ -10,6 +10,8 @@ from .remarks import Refusal, counted, stretch
 #: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP
 #: [mm] cannot be bridged.
 GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
+#: Points are at even steps of y if this share of the steps differs from their median by at most EVEN of it.
+MOST_EVEN, EVEN = 0.8, 0.01
 #: A gap whose ends point along it within this angle [rad] is a straight stretch and may have any length.
 STRAIGHT = 0.02
 #: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is
@@ -22,8 +24,11 @@ SPIKE = math.radians(90.0)
 def check_gaps(found, remarks):
     """Report the gaps that are bridged; a Refusal if one is too wide and not a straight stretch."""
     y, z = found.y, found.z
-    chord = np.hypot(np.diff(y), np.diff(z))
-    for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
+    chord, step = np.hypot(np.diff(y), np.diff(z)), np.diff(y)
+    usual = np.abs(step - np.median(step)) <= EVEN * np.median(step)
+    # points at even steps of y are far apart where the curve is steep
+    wide = step if np.mean(usual) >= MOST_EVEN else chord
+    for i in np.flatnonzero((chord > GAP) & (wide > SPACINGS * np.median(wide))):
         if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
             raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of "
                           f"{chord[i]:.3g} mm; permitted are {WIDEST_GAP:g} mm or a straight stretch")
@@ -39,17 +44,25 @@ def straight_over(y, z, i):
     return all(abs(turn) <= STRAIGHT for turn in turns)
 
 
-def rounded(found, remarks):
-    """Replace kinks by arcs, since a kink has no curvature to compute a contact with."""
+def rounded(found, remarks, *, keep=False):
+    """Replace kinks by arcs, since a kink has no curvature to compute a contact with.
+
+    With ``keep`` they are only reported.
+    """
     y, z = found.y, found.z
     heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
-    if turned.max() > SPIKE:
+    if turned.max() > SPIKE and not keep:
         worst = int(np.argmax(turned))
         raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike "
                       f"or a fold; permitted are at most {math.degrees(SPIKE):.3g} deg")
     places = _kinks(y, z)
     if not places:
+        return found
+    sharpest = math.degrees(max(abs(turn) for *_, turn in places))
+    kinks = f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg"
+    if keep:
+        remarks.append(f"{kinks} kept, since smoothing is 0 ({stretch([y[index] for index, *_ in places])})")
         return found
     if len(places) > MOST_KINKS:
         raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at "
@@ -65,11 +78,10 @@ def rounded(found, remarks):
         share = np.linspace(0.0, 1.0, 9)[:, None]
         bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
         deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
-        points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
-        points.sort()
-    sharpest = math.degrees(max(abs(turn) for *_, turn in places))
-    remarks.append(f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg rounded over {ROUNDED:g} mm "
-                   f"({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
+        near = [k for k, point in enumerate(points) if math.dist(point, spot) <= 1.05 * reach]
+        first = near[0] if near else points.index((y[index], z[index])) + 1
+        points[first:near[-1] + 1 if near else first] = map(tuple, bow)
+    remarks.append(f"{kinks} rounded over {ROUNDED:g} mm ({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
     return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
 

@@ -7,6 +7,7 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from .definition import definition
 from .files import read_profile, zones_through
+from .options import ProfileFile
 from .reading import Reading
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
@@ -71,24 +72,28 @@ class Profile:
         return Joint(after.start * MM, step * MM, slope, bend / MM)
 
     @classmethod
-    def from_file(cls, path, kind, smoothing=None):
+    def from_file(cls, path, kind, smoothing=None, **options):
         """The profile in a file of points or a prepared file (docs/profiles.md).
 
         Parameters
         ----------
-        path : text columns in mm, Simpack's .prw or .prr, MiniProf's .whl or .ban, or a prepared .json.
+        path : text columns in mm, a file of Simpack (.prw, .prr), MiniProf (.whl, .ban, .mpt), Vampire (.whe,
+            .rai) or GENSYS (.wheel, .rail), or a prepared .json.
         kind : "wheel" or "rail".
         smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0
-            is no smoothing; None is the estimated noise of the points.
+            goes through every point; None is the estimated noise of the points.
+        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select: what the file
+            does not say itself, as in :class:`~wrcontact.ProfileFile`.
 
         Raises
         ------
         ValueError
-            if the file cannot be used.  Repairs are reported by a :class:`~wrcontact.ProfileWarning`.
+            if an option is not permitted or the file cannot be used.  Repairs are reported by a
+            :class:`~wrcontact.ProfileWarning`.
         """
         if kind not in ("wheel", "rail"):
             raise ValueError(f"kind is {kind!r}, permitted are 'wheel' and 'rail'")
-        return read_profile(path, kind, smoothing, cls)
+        return read_profile(ProfileFile(path, **options), kind, smoothing, cls)
 
     @classmethod
     def from_points(cls, y, z, *, name, kind):

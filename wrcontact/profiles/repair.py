@@ -5,12 +5,14 @@ how many points, where and by how much. Outliers are found in outliers.py, gaps 
 message of a Refusal lacks the file's name, which files.py adds.
 """
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from .kinks import check_gaps, rounded
 from .mended import Mended
+from .orientation import faced, turned_upright
 from .outliers import LONGEST_RUN, without_outliers
 from .remarks import Refusal, counted, stretch
 from .smoothing import LEAST_NOISE, noise_of
@@ -22,13 +24,17 @@ WIDTHS = (20.0, 200.0)
 HIGHEST = 300.0
 #: Largest width without flange back, rail neck and foot [mm].
 WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
-#: Smallest width of a rail's head on either side of its highest point [mm].
-SHOULDER = 10.0
+#: Smallest width of a rail's head on either side of its highest point, and the width below which it is
+#: reported [mm].
+SHOULDER, USUAL_SHOULDER = 2.0, 10.0
 #: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
 #: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
 #: where the gauge is measured.
 UPRIGHT = 0.2
+#: The gauge face is needed down to this depth below the top of an upright rail; it may recede there by at
+#: most RECESS [mm].
+FACE, RECESS = 20.0, 3.0
 #: Factors to millimetres, and the widths in the file's unit for which that unit is assumed. Centimetres and
 #: inches do not overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
@@ -50,24 +56,42 @@ ROUND_BACK = 3.0
 OFFSET = 10.0
 
 
-def mend(points, kind, remarks):
-    """The repaired points (:class:`Mended`) of a file's ``points``; adds to ``remarks``; a
-    Refusal if that is impossible."""
+def mend(points, kind, file, remarks, *, keep_all=False):
+    """The repaired points (:class:`Mended`) of a file's ``points``.
+
+    Parameters
+    ----------
+    points : :class:`~wrcontact.profiles.formats.Points`.
+    kind : "wheel" or "rail".
+    file : :class:`~wrcontact.profiles.options.ProfileFile`, what the file does not say itself.
+    remarks : list to which every repair is added.
+    keep_all : whether outliers and kinks are only reported.
+
+    Raises
+    ------
+    Refusal
+        if the points cannot be repaired.
+    """
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
+    found = moved(found, file)
     found = in_order(found, points.free, remarks)
     found = without_repetition(found, remarks)
-    found = upright(found, kind, points.free, remarks)
+    found = upright(found, kind, file, points.free, remarks)
     if kind == "wheel":
-        found = at_running_circle(found, points.free, remarks)
+        found = at_running_circle(found, file, points.free, remarks)
+    else:
+        found = turned_upright(faced(found, file, points.free, remarks), file, remarks)
+    found = outward(found, kind) if kind == "wheel" else outward(gauge_face(found, remarks), kind)
+    found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks, keep=keep_all)
     found = outward(found, kind)
-    found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks)
-    found = outward(found, kind)
+    if kind == "rail":
+        remark_near_end(found, remarks)
     noise, certainty = noise_of(found.y, found.z)
     found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
     check_gaps(found, remarks)
-    return rounded(found, remarks) if found.noise <= LEAST_NOISE else found
+    return rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
 
 
 def without_nothing(found, lines, remarks):
@@ -111,6 +135,14 @@ def in_millimetres(found, kind, remarks):
     return replace(found, y=factor * found.y, z=factor * found.z)
 
 
+def moved(found, file):
+    """The points shifted, rotated and mirrored as ``file`` says."""
+    y, z = (part + shift for part, shift in zip((found.y, found.z), file.shift_mm))
+    c, s = math.cos(file.rotate), math.sin(file.rotate)
+    y, z = (c * y - s * z, s * y + c * z) if file.rotate else (y, z)
+    return replace(found, y=-y if file.mirror_y else y, z=-z if file.mirror_z else z)
+
+
 def in_order(found, free, remarks):
     """Sort the points: in the file's order or in that of y, whichever path is shorter,
     starting at the smallest y."""
@@ -151,15 +183,17 @@ def without_repetition(found, remarks):
     return found
 
 
-def upright(found, kind, free, remarks):
-    """Turn z down and a wheel's flange to negative y."""
+def upright(found, kind, file, free, remarks):
+    """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are."""
     y, z = _evenly(found)
     low, middle, high = np.percentile(z, [2, 50, 98])
-    if middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle:
+    upwards = middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle
+    if upwards and file.mirror_z is None:
         found, z, middle, high = replace(found, z=-found.z), -z, -middle, -low
         if not free:
             remarks.append("z was positive upwards; its sign is changed")
-    if kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1]):
+    reversed_wheel = kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1])
+    if reversed_wheel and file.mirror_y is None:
         found = replace(found, y=-found.y).only(slice(None, None, -1))
         if not free:
             remarks.append("the flange was at the larger y; mirrored")
@@ -173,13 +207,14 @@ def _evenly(found):
     return y, np.interp(y, found.y[order], found.z[order])
 
 
-def at_running_circle(found, free, remarks):
-    """Move a wheel so that y = 0 is its running circle, and z is within OFFSET of zero there."""
+def at_running_circle(found, file, free, remarks):
+    """Move a wheel so that y = 0 is its running circle, and z is within OFFSET of zero there; what ``file``
+    shifts stays."""
     y, z = _evenly(found)
     deepest = np.percentile(z, 99)
     tip = np.median(y[z >= deepest])
     if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
-        if deepest - z[0] < ROUND_BACK:
+        if deepest - z[0] < ROUND_BACK or file.shift[0]:
             raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
                           f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
                           "include the back of the flange")
@@ -196,11 +231,29 @@ def at_running_circle(found, free, remarks):
     if z[-1] - middle > FLANGE[0]:
         raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
                       f"rail's head has; permitted are {FLANGE[0]:g} mm or less")
-    if abs(middle) > OFFSET or free:
+    if (abs(middle) > OFFSET or free) and not file.shift[1]:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
         found = replace(found, z=found.z - middle)
     return found
+
+
+def gauge_face(found, remarks):
+    """Replace a gauge face that recedes below its innermost point by a vertical one, as deep as the gauge is
+    measured: the gauge is the distance of the innermost points."""
+    top = int(np.argmin(found.z))
+    y, depth = found.y[top::-1], found.z[top::-1] - found.z[top]
+    deep = np.flatnonzero(depth > FACE)
+    stop = deep[0] if len(deep) else len(y)
+    innermost = int(np.argmin(y[:stop]))
+    recess = y[innermost:stop] - y[innermost]
+    if depth[innermost] > FACE - 1.0 or not len(recess) or not UPRIGHT < recess.max() <= RECESS:
+        return found
+    remarks.append(f"the gauge face recedes by {recess.max():.3g} mm from {depth[innermost]:.3g} mm below "
+                   "the top on; it is taken as vertical there")
+    changed = found.y.copy()
+    changed[top - stop + 1:top - innermost + 1] = y[innermost]
+    return replace(found, y=changed)
 
 
 def outward(found, kind):
@@ -222,6 +275,15 @@ def outward(found, kind):
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
+
+
+def remark_near_end(found, remarks):
+    """Report a highest point of a rail that is close to an end of the points."""
+    top = found.y[np.argmin(found.z)]
+    width = min(top - found.y[0], found.y[-1] - top)
+    if width < USUAL_SHOULDER:
+        remarks.append(f"its highest point is {width:.3g} mm from the end of the points; there is no contact "
+                       "beyond it")
 
 
 def _farthest(y, kind):

@@ -36,7 +36,8 @@ AVERAGED = 10.0
 PIECE, SHORTEST_PIECE = 0.5, 0.01
 #: Slope beyond which a curve is a wall.  A rail continues in straight pieces there; a wheel ends there.
 WALL = math.tan(math.radians(88.0))
-#: A wall may begin this far below the top of a rail or the running circle, or beyond this y on a wheel [mm].
+#: A wall may begin this far below the top of a rail or the running circle, or beyond this y on a wheel, or
+#: behind its flange [mm].
 WALL_DEPTH, FIELD_SIDE = 5.0, 25.0
 #: Smallest advance in y of a wall's pieces, relative to their length; 20 mm of vertical gauge face advance by
 #: 0.02 mm.
@@ -209,14 +210,17 @@ def pieces_of(curve, top, *, walls):
     breaks = np.flatnonzero(~rising)
     first = max(breaks[breaks < middle], default=-1) + 1
     last = min(breaks[breaks >= middle], default=len(s) - 1)
-    slope, bend = dz / dy, (ddz * dy - dz * ddy) / dy**3
+    with np.errstate(divide="ignore", invalid="ignore"):    # vertical parts are not used
+        slope, bend = dz / dy, (ddz * dy - dz * ddy) / dy**3
     jets = list(zip(y, z, slope, bend))
     zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1:last + 1])]
+    tip = y[int(np.argmax(z))]
     for end in {first, last} - {0, len(s) - 1}:
-        if z[end] < WALL_DEPTH and (walls or y[end] < FIELD_SIDE):
+        outside = not walls and (y[end] >= FIELD_SIDE or y[end] < min(tip, -FIELD_SIDE))
+        if z[end] < WALL_DEPTH and not outside:
             raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, z = {z[end]:.3g} mm; permitted "
                           f"is that from z = {WALL_DEPTH:g} mm "
-                          "on" + ("" if walls else f" and beyond y = {FIELD_SIDE:g} mm"))
+                          "on" + ("" if walls else f", behind the flange and beyond y = {FIELD_SIDE:g} mm"))
     if walls:
         lower = _wall(-y[first::-1], z[first::-1], -slope[first])
         upper = _wall(y[last:], z[last:], slope[last])

@@ -1,7 +1,7 @@
 """The life cycle of one simulated wheelset, independent of FMI.
 
 Set values, initialise, step, read. Values are addressed by value reference, the index
-in the table of variables::
+in the table of variables; :mod:`.life` says which call is permitted when::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -18,33 +18,31 @@ from pathlib import Path
 import numpy as np
 
 from .. import status as outcomes
-from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
+from ..interface.variables import FIRST_OUTPUT, INTEGER, OUTPUT, PARAMETER, REAL, STATUS, STRING, VARIABLES
 from ..kernel import layout
 from ..methods.choices import check_choice
 from ..system import ContactSystem
+from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
 INPUTS = layout.INPUT_COUNT
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
 START = np.array([v.start if v.type == REAL and v.start is not None else 0.0 for v in VARIABLES])
-INVALID_INPUT = 4
+
+BOOLEAN = "Boolean"     # which no variable is
 
 #: First bytes of every saved state; the number changes with the format.
-STATE_FORMAT = b"wrcontact state 1\n"
+STATE_FORMAT = b"wrcontact state 2\n"
 STATE_BODY = len(STATE_FORMAT) + hashlib.sha256().digest_size
 #: A saved state belongs to one build: inside an FMU the package's name contains a hash of its contents.
 BUILD = __name__.split(".")[0]
-
-
-class Refused(ValueError):
-    """A value is not accepted; the sentence names it and says what is permitted."""
 
 
 class Session:
     """One wheelset from its parameters to its outputs.
 
     Outputs are computed when they are first read after a change of the inputs, and then kept: a step with
-    unchanged inputs costs nothing.  Stepping never raises; problems are reported by ``status`` and by one
-    call of ``tell``.
+    unchanged inputs costs nothing.  A physical situation is reported by ``status`` and by one call of
+    ``tell``.  A wrong call or value raises :class:`Refused`; then nothing has changed.
 
     Parameters
     ----------
@@ -61,38 +59,53 @@ class Session:
     def reset(self):
         """Back to the start values, before initialisation."""
         self.parameters = {name: variable.start for name, variable in PARAMETERS.items()}
-        self.locked = False  # parameters are fixed
+        self.life = Life()
         self._built_with = None  # the parameters that the stepper was built with
         self._stepper = None
         self._values = START.copy()  # by value reference; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
         self._told = False  # this step's status has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
+        self._inputs = None  # the references of the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
 
     # --- parameters ------------------------------------------------------------------------------
 
     def set_strings(self, references, values):
-        """Set the names of profiles and methods."""
-        for reference, value in zip(references, values, strict=True):
-            self._set_parameter(_variable(reference, STRING), value)
+        """Set the names of profiles and methods, all of them or none."""
+        variables = self._settable(references, values, STRING)
+        for variable, value in zip(variables, values, strict=True):
+            self._set_parameter(variable, value)
 
     def get_strings(self, references):
         """The names of profiles and methods."""
         return [self.parameters[_variable(reference, STRING).name] for reference in references]
 
+    def _settable(self, references, values, type):
+        """The variables of a list, if every one of them can be set to its value."""
+        variables = [_variable(reference, type) for reference in references]
+        for variable, value in zip(variables, values, strict=True):
+            if self.life.phase == TERMINATED:
+                raise Refused(f"{variable.name} cannot be set: the simulation has been terminated")
+            if variable.causality == OUTPUT:
+                raise Refused(f"{variable.name} is an output and cannot be set")
+            if value is None:
+                raise Refused(f"{variable.name} is a NULL pointer; permitted are texts")
+            present = self.parameters.get(variable.name)
+            if self.life.locked and variable.causality == PARAMETER and value != present:
+                raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot "
+                              f"become {value!r}")
+        return variables
+
     def _set_parameter(self, variable, value):
-        """Store a parameter; after initialisation only its present value is accepted."""
-        if variable.causality != PARAMETER:
-            raise Refused(f"{variable.name} is an {variable.causality} and cannot be set")
-        present = self.parameters[variable.name]
-        if value == present:
-            return
-        if self.locked:
-            raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot become "
-                          f"{value!r}")
-        self.parameters[variable.name] = value
-        self._stale = True
+        """Store a parameter that can be set."""
+        if value != self.parameters[variable.name]:
+            self.parameters[variable.name] = value
+            self._stale = True
+
+    def set_up(self, start, stop=None):
+        """Times of the first and of the last instant [s]; without ``stop`` there is no last one."""
+        self.life.set_up(start, stop)
 
     def initialise(self):
         """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
@@ -101,12 +114,28 @@ class Session:
             self._built_with = dict(self.parameters)
             self._stale = True
 
-    def start(self):
-        """Initialise, compute the outputs of the first instant, and fix the parameters."""
+    def enter(self):
+        """Enter initialisation mode, where outputs can be read and parameters can still be set."""
+        self.life.check_enter()
         self.initialise()
-        self.locked = True
+        self.life.phase = INITIALISING
+
+    def leave(self):
+        """Leave it: compute the outputs of the first instant, and fix the parameters."""
+        self.life.check_leave()
+        self.initialise()
+        self.life.phase = RUNNING
         self._refresh()
         self._told = False
+
+    def start(self):
+        """Enter initialisation mode and leave it."""
+        self.enter()
+        self.leave()
+
+    def terminate(self):
+        """End the simulation: values can be read, and nothing else."""
+        self.life.terminate()
 
     def _build(self, parameters):
         """The kernel, prepared for these parameters."""
@@ -130,46 +159,58 @@ class Session:
     # --- inputs, outputs, steps ------------------------------------------------------------------
 
     def set_reals(self, references, values):
-        """Set inputs and, before initialisation, parameters."""
+        """Set inputs and, before initialisation, parameters, all of them or none."""
         present = self._values
+        if references != self._inputs or self.life.phase == TERMINATED:
+            self._settable(references, values, REAL)
+            self._inputs = [reference for reference in references if reference < INPUTS]
         for reference, value in zip(references, values, strict=True):
-            if not 0 <= reference < INPUTS:
-                self._set_parameter(_variable(reference, REAL), value)
+            if reference >= INPUTS:
+                self._set_parameter(VARIABLES[reference], value)
             if present[reference] != value:
                 present[reference] = value
                 self._stale = True
 
     def get_reals(self, references):
         """Real values, up to date with the inputs."""
-        self._refresh()
         if references != self._asked:
             self._places = _as_slice([_place(reference, REAL) for reference in references])
             self._asked = list(references)
+        if self.life.phase == INSTANTIATED:
+            _check_readable(references)
+        self._refresh()
         return self._values[self._places].tolist()
 
     def set_integers(self, references, values):
         """Always :class:`Refused`: no Integer can be set."""
-        for reference, value in zip(references, values, strict=True):
-            self._set_parameter(_variable(reference, INTEGER), value)
+        self._settable(references, values, INTEGER)
 
     def get_integers(self, references):
         """Integer values, up to date with the inputs."""
-        self._refresh()
         if references != self._asked_integers:
             self._integer_places = [_place(reference, INTEGER) for reference in references]
             self._asked_integers = list(references)
+        if self.life.phase == INSTANTIATED:
+            _check_readable(references)
+        self._refresh()
         values = self._values
         return [int(values[place]) for place in self._integer_places]
 
-    def step(self):
-        """Update the outputs; a status other than 0 is reported once per step."""
+    def refuse_booleans(self, references):
+        """Always :class:`Refused`: no variable is a Boolean."""
+        for reference in references:
+            _variable(reference, BOOLEAN)
+
+    def step(self, time=None, size=0.0):
+        """Update the outputs for a step of ``size`` [s] that begins at ``time`` [s], by default at the end of
+        the last one; a status other than 0 is reported once per step."""
+        time = self.life.time if time is None else time
+        self.life.check_step(time, size)
         self._refresh()
-        if self._stepper is None:
-            self._values[STATUS] = INVALID_INPUT
-            self.tell("the wheelset cannot step: it has not been initialised")
-        elif self.status and not self._told:
+        if self.status and not self._told:
             self._tell()
         self._told = False
+        self.life.time = time + size
 
     @property
     def status(self):
@@ -180,7 +221,7 @@ class Session:
         """Evaluate if an input has changed since the last time; before initialisation there is nothing to
         evaluate."""
         if self._stale and self._stepper is not None:
-            if not self.locked:
+            if not self.life.locked:
                 self.initialise()
             self._evaluate()
 
@@ -210,7 +251,7 @@ class Session:
             "build": BUILD,
             "parameters": self.parameters,
             "built": stepper is not None,
-            "locked": self.locked,
+            "life": self.life.saved(),
             "stale": self._stale,
             "told": self._told,
         }
@@ -233,7 +274,8 @@ class Session:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
-        self.locked, self._stale, self._told = header["locked"], header["stale"], header["told"]
+        self.life = Life(*header["life"])
+        self._stale, self._told = header["stale"], header["told"]
 
     def _stepper_for(self, header):
         """The stepper for a snapshot: the present one if the parameters are equal, otherwise a new one."""
@@ -258,6 +300,14 @@ def _place(reference, type):
     """``reference`` itself, once it is known to be a variable of this type."""
     _variable(reference, type)
     return reference
+
+
+def _check_readable(references):
+    """Whether the list, read before the initialisation, holds no output."""
+    for reference in references:
+        if reference >= FIRST_OUTPUT:
+            raise Refused(f"{VARIABLES[reference].name} is an output and cannot be read before the "
+                          "initialisation")
 
 
 def _as_slice(places):

@@ -1,0 +1,36 @@
+"""Every XML file in each of the three archives keeps to the official schemas, unmodified."""
+
+import zipfile
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.helpers.fmus import needs_compiler
+from tests.helpers.schemas import problems_of, xml_problems
+
+NATIVE = {2: {"modelDescription.xml", "terminalsAndIcons/terminalsAndIcons.xml"}}
+NATIVE[3] = NATIVE[2] | {"sources/buildDescription.xml"}
+
+
+def test_python_archive(fmu):
+    assert xml_problems(fmu, 2) == {name: [] for name in NATIVE[2]}
+
+
+@needs_compiler
+@pytest.mark.parametrize("version", (2, 3))
+def test_native_archive(fmus, version):
+    assert xml_problems(fmus[version], version) == {name: [] for name in NATIVE[version]}
+
+
+@needs_compiler
+def test_build_description_names_the_compiler_of_its_options(fmus):
+    with zipfile.ZipFile(fmus[3]) as archive:
+        root = ElementTree.fromstring(archive.read("sources/buildDescription.xml"))
+    files = root.find("BuildConfiguration/SourceFileSet")
+    assert (files.get("compiler"), files.get("compilerOptions")) == ("gcc", "-O3 -ffp-contract=off")
+    assert files.get("language") == "C11"
+
+
+def test_schemas_see_a_wrong_version():
+    wrong = b'<fmiTerminalsAndIcons fmiVersion="2.0"/>'
+    assert "fmiVersion" in problems_of(wrong, "fmi3/fmi3TerminalsAndIcons.xsd")[0]

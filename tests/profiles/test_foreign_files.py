@@ -1,0 +1,155 @@
+"""Files of MiniProf, Vampire and GENSYS, lists of slices, and shapes that genuine files have."""
+
+import re
+import warnings
+
+import numpy as np
+import pytest
+
+from tests.helpers.foreign_files import gensys, several, vampire, wavy_back
+from tests.helpers.profile_points import MM, Y, Z, changed, columns, error, miniprof, points, read
+from wrcontact import ContactSystem, Profile
+
+RAIL_Y, RAIL_Z = points("rail")
+
+
+def write(folder, text, name):
+    (folder / name).write_text(text)
+    return folder / name
+
+
+# --- several profiles -----------------------------------------------------------------------------
+
+
+TWO = several([("first", RAIL_Y, -RAIL_Z), ("second", RAIL_Y[::2], -RAIL_Z[::2])])
+
+
+@pytest.mark.parametrize("select, count", [(1, len(RAIL_Y)), ("first", len(RAIL_Y)), ("2", len(RAIL_Y[::2])),
+                                           ("second", len(RAIL_Y[::2]))])
+def test_one_of_several_profiles_is_chosen_by_number_or_name(tmp_path, select, count):
+    profile = Profile.from_file(write(tmp_path, TWO, "own.mpt"), "rail", select=select)
+    assert profile.reading.points == count and error(profile) < 1e-3
+
+
+@pytest.mark.parametrize("select, sentence", [
+    (None, r"contains 2 profiles \(1: first, 2: second\); select is None; permitted are a number or"),
+    (3, r"contains 1: first, 2: second; select is 3; permitted are the numbers 1 \.\.\. 2 and names"),
+    ("third", "contains 1: first, 2: second; select is 'third'"),
+])
+def test_a_choice_that_is_not_there_is_refused(tmp_path, select, sentence):
+    for kind in ("wheel", "rail"):
+        with pytest.raises(ValueError, match=sentence):
+            Profile.from_file(write(tmp_path, TWO, "own.mpt"), kind, select=select)
+
+
+def test_equal_names_are_chosen_by_number(tmp_path):
+    text = several([("same", RAIL_Y, -RAIL_Z), ("same", RAIL_Y, -RAIL_Z)])
+    with pytest.raises(ValueError, match="has that name more than once; select is 'same'"):
+        Profile.from_file(write(tmp_path, text, "own.mpt"), "rail", select="same")
+    assert Profile.from_file(write(tmp_path, text, "own.mpt"), "rail", select=2).reading.points == len(RAIL_Y)
+
+
+def test_a_single_profile_needs_no_choice(tmp_path):
+    profile, said = read(tmp_path, several([("one", RAIL_Y, -RAIL_Z)]), "rail", "own.mpt")
+    assert error(profile) < 1e-3 and "lines" not in said
+
+
+@pytest.mark.parametrize("name, kind, sentence", [
+    ("own.slcs", "rail", "ends in .slcs, a list of slices of a profile that varies along the rail;"),
+    ("own.slcw", "wheel", "ends in .slcw, a list of slices of a profile that varies around the wheel;"),
+])
+def test_a_list_of_slices_is_refused_by_what_it_is(tmp_path, name, kind, sentence):
+    with pytest.raises(ValueError, match=re.escape(sentence)):
+        Profile.from_file(write(tmp_path, "1.0 'a.prr'\n2.0 'b.prr'\n", name), kind)
+
+
+# --- Vampire and GENSYS ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("datum, shift", [("EUROPEAN", 0.0), ("CUSTOM 65.0", 5.0), ("us1", 70.0 - 72.23125)])
+def test_a_vampire_wheel_lies_at_its_tread_datum(tmp_path, datum, shift):
+    text = vampire("wheel", Y - shift, Z, datum=datum)
+    profile, said = read(tmp_path, text, "wheel", "own.whe")
+    assert said == "" and error(profile) < 1e-3
+
+
+@pytest.mark.parametrize("select", ["left", "right", None])
+def test_a_vampire_rail_has_two_sides(tmp_path, select):
+    other = RAIL_Z + 0.01 * (RAIL_Y + 40.0)
+    left = (RAIL_Y, RAIL_Z) if select == "left" else (RAIL_Y, other)
+    right = (RAIL_Y, other) if select == "left" else (RAIL_Y, RAIL_Z)
+    path = write(tmp_path, vampire("rail", *right, left=left), "own.rai")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert error(Profile.from_file(path, "rail", select=select)) < 1e-3
+
+
+@pytest.mark.parametrize("change, sentence", [
+    (("EUROPEAN", "MARTIAN"), r"has no tread datum in line 3 \('treaddatum martian'\); permitted are"),
+    (("FLANGEBACK", "BACK"), r"has no distance of the flange backs in line 4 \('back 1360.0'\); permitted"),
+    (("WHEELPROFILE", "RAILPROFILE"), "starts with RAILPROFILE; permitted are wheel profiles"),
+    (("WHEELPROFILE", "PROFILE"), "starts with 'profile'; permitted are Vampire profiles, which start"),
+])
+def test_a_vampire_file_that_is_none_is_refused(tmp_path, change, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        read(tmp_path, vampire("wheel", Y, Z).replace(*change), "wheel", "own.whe")
+
+
+@pytest.mark.parametrize("kind, name", [("wheel", "own.wheel"), ("rail", "own.rail")])
+def test_gensys_has_y_towards_the_track_centre(tmp_path, kind, name):
+    y, z = points(kind)
+    z = z + (np.where(y > 0, 1e-3 * y, 0.0) if kind == "wheel" else 0.0)
+    profile, said = read(tmp_path, gensys(y, z), kind, name)
+    assert "mirrored" not in said
+    assert profile.stop == pytest.approx(y[-1] * MM, abs=1e-4)
+    assert profile.height(40e-3 if kind == "wheel" else 20e-3) == pytest.approx(
+        np.interp(40.0 if kind == "wheel" else 20.0, y, z) * MM, abs=1e-6)
+
+
+# --- shapes of genuine files ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("amplitude", [2e-3, 5e-3, 2e-2])
+def test_a_flange_back_that_waves_is_no_reason_to_refuse(tmp_path, amplitude):
+    y, z = wavy_back(amplitude)
+    profile, _ = read(tmp_path, miniprof(y + 70.0, 12.0 - z), "wheel", "own.whl")
+    inside = np.linspace(-54.0, 55.0, 500) * MM
+    exact, _ = read(tmp_path, columns(Y, Z))
+    np.testing.assert_allclose(profile.height(inside), exact.height(inside), atol=4e-3 * amplitude)
+    assert ContactSystem(wheel=profile).evaluate(normal_force=78.5e3).status == 0
+
+
+def test_a_top_near_the_end_of_the_points_is_used_and_reported(tmp_path):
+    y, z = points("rail")
+    keep = y < 6.0
+    profile, said = read(tmp_path, columns(y[keep], z[keep]), "rail")
+    assert "its highest point is 6 mm from the end of the points; there is no contact beyond it" in said
+    exact, _ = read(tmp_path, columns(y, z), "rail")
+    at = np.linspace(-30.0, 5.0, 100) * MM
+    np.testing.assert_allclose(profile.height(at), exact.height(at), atol=1e-7)
+
+
+def test_vertical_sides_give_no_warning(tmp_path):
+    y, z = points("rail")
+    head = np.abs(y) < 34.0
+    deep = np.arange(9.0, 31.0, 0.1)
+    y = np.r_[np.full(len(deep), -34.0), y[head], np.full(len(deep), 34.0)]
+    z = np.r_[deep[::-1], z[head], deep]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        profile = Profile.from_file(write(tmp_path, columns(y, z), "own.txt"), "rail")
+    assert ContactSystem(rail=profile).evaluate(normal_force=78.5e3).status == 0
+
+
+def test_a_gauge_face_that_recedes_is_taken_as_vertical(tmp_path):
+    y, z = points("rail")
+    recess = np.where((y < 0) & (z > 11.0), 0.15 * (z - 11.0), 0.0)
+    profile, said = read(tmp_path, columns(y + recess, z), "rail")
+    assert re.search(r"the gauge face recedes by 0\.\d+ mm from 1\d\.?\d* mm below the top on; it is taken",
+                     said)
+    assert ContactSystem(rail=profile).evaluate(normal_force=78.5e3).status == 0
+
+
+def test_an_outlier_of_several_repairs_stays_one_sentence(tmp_path):
+    _, said = read(tmp_path, miniprof(Y + 70.0, 12.0 - changed(Z, [200], 0.5)), "wheel", "own.whl")
+    assert "1 outlier of up to" in said and "\n" not in said

@@ -1,0 +1,177 @@
+"""Rails that are already inclined or have their gauge side at larger y, and the options of ProfileFile."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.foreign_files import inclined_rail, worn_rail
+from tests.helpers.profile_points import MM, Y, Z, columns, error, miniprof, points, read, simpack
+from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
+from wrcontact.cli import main
+from wrcontact.profiles.orientation import head_of
+from wrcontact.profiles.repair import BACK
+
+AGAIN = "in the file, and a rail_inclination that is not 0 inclines it again"
+
+
+def write(folder, text, name):
+    (folder / name).write_text(text)
+    return folder / name
+
+
+def read_with(path, kind="rail", **options):
+    """The profile in a file and what is said of it."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        profile = Profile.from_file(path, kind, **options)
+    return profile, str(said[0].message) if said else ""
+
+
+# --- inclination ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.01, 0.05])
+@pytest.mark.parametrize("inclination", [1 / 20, 1 / 40, 1 / 100, 0.0])
+def test_the_inclination_of_a_new_head_is_found(inclination, noise):
+    found = head_of(*inclined_rail(inclination, noise=noise))
+    assert found.symmetric and found.inclination == pytest.approx(inclination, abs=2e-3)
+
+
+def test_an_inclined_rail_is_reported_with_its_number(tmp_path):
+    _, said = read(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "rail", "own.prr")
+    assert f"its head is inclined by 1:40 towards the track centre {AGAIN}" in said
+    assert "file_inclination = 0.025 turns it upright, file_inclination = 0 confirms that it is" in said
+
+
+def test_an_inclined_rail_is_turned_upright(tmp_path):
+    path = write(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "own.prr")
+    profile, said = read_with(path, file_inclination=1 / 40)
+    assert said == "" and error(profile) < 1e-3
+    exact = ContactSystem().evaluate(normal_force=78.5e3).right.max_pressure
+    turned = ContactSystem(rail=ProfileFile(path, file_inclination=1 / 40)).evaluate(normal_force=78.5e3)
+    assert turned.right.max_pressure == pytest.approx(exact, rel=2e-3)
+    _, said = read_with(path, file_inclination=0.0)
+    assert said == ""
+    _, said = read_with(path, file_inclination=1 / 20)
+    assert "its head is inclined by 1:40 towards the track centre, although file_inclination is 0.05" in said
+
+
+def test_check_remarks_on_an_inclined_rail(tmp_path):
+    path = write(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "own.prr")
+    with pytest.warns(ProfileWarning, match=AGAIN):
+        system = ContactSystem(rail=path)
+    assert any(AGAIN in remark for remark in wrcontact.check(system).remarks)
+
+
+# --- gauge side -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("shape", [inclined_rail(1 / 40), worn_rail()], ids=["inclined", "worn"])
+def test_a_miniprof_rail_with_the_gauge_side_at_larger_y_is_mirrored(tmp_path, shape):
+    y, z = shape
+    one, said = read(tmp_path, miniprof(y, -z), "rail", "one.ban")
+    assert "mirrored" not in said
+    other, said = read(tmp_path, miniprof(-y, -z), "rail", "other.ban")
+    assert "the gauge side was at the larger y (" in said and "; mirrored" in said
+    at = np.linspace(-30.0, 20.0, 200) * MM
+    np.testing.assert_allclose(other.height(at), one.height(at), atol=1e-9)
+
+
+def test_a_text_rail_is_not_mirrored_but_reported(tmp_path):
+    y, z = worn_rail()
+    profile, said = read(tmp_path, columns(-y[::-1], z[::-1]), "rail")
+    assert "the gauge side seems to be at the larger y (the corner there is wider by" in said
+    assert profile.stop > 0.036
+    path = tmp_path / "own.txt"
+    mirrored, said = read_with(path, mirror_y=True)
+    assert "gauge side" not in said and mirrored.start == pytest.approx(-profile.stop, abs=1e-4)
+    assert "gauge side" not in read_with(path, mirror_y=False)[1]
+
+
+def test_an_ambiguous_shape_is_reported(tmp_path):
+    y, z = points("rail")
+    z = z + 0.8 * np.exp(-((y + 12.0) / 4.0) ** 2)
+    _, said = read(tmp_path, miniprof(y, -z), "rail", "own.ban")
+    assert "the gauge side cannot be found from the shape; the smaller y is used" in said
+    assert "its head is not symmetric, so its shape does not tell whether it is already inclined" in said
+
+
+def test_a_new_upright_rail_says_nothing(tmp_path):
+    for noise in (0.0, 0.02):
+        y, z = inclined_rail(0.0, noise=noise)
+        _, said = read(tmp_path, miniprof(y, -z), "rail", "own.ban")
+        assert "gauge" not in said and "inclin" not in said
+
+
+# --- options --------------------------------------------------------------------------------------
+
+
+def test_points_are_shifted_rotated_and_mirrored(tmp_path):
+    c, s = np.cos(0.02), np.sin(0.02)
+    # undone in reverse order: mirror, rotate, shift
+    y, z = -Y, -Z
+    y, z = c * y + s * z, c * z - s * y
+    path = write(tmp_path, columns(y + 3.0, z - 2.0), "own.txt")
+    profile, said = read_with(path, "wheel", shift=(-3e-3, 2e-3), rotate=0.02, mirror_y=True, mirror_z=True)
+    assert said == "the points ran from the largest y to the smallest; reversed" or said == ""
+    assert error(profile) < 1e-4
+
+
+def test_a_given_shift_replaces_the_one_from_the_shape(tmp_path):
+    path = write(tmp_path, miniprof(Y + BACK + 2.0, 12.0 - Z), "own.whl")
+    profile, _ = read_with(path, "wheel", shift=(-(BACK + 2.0) * MM, 0.0))
+    assert error(profile) < 2e-4
+
+
+@pytest.mark.parametrize("options, sentence", [
+    (dict(mirror_y="yes"), "mirror_y is 'yes'; permitted are True, False and None"),
+    (dict(rotate=4.0), r"rotate is 4.0; permitted is -3.14159 \.\.\. 3.14159 rad"),
+    (dict(shift=3.0), r"shift is 3.0; permitted are two numbers \(y, z\) in m"),
+    (dict(shift=(3.0, 0.0)), r"shift in y is 3.0; permitted is -1 \.\.\. 1 m"),
+    (dict(file_inclination=0.2), r"file_inclination is 0.2; permitted is 0 \.\.\. 0.1"),
+    (dict(select=0), "select is 0; permitted are the number of a profile in the file, from 1, and its name"),
+    (dict(select=2), "contains one profile; select is 2; permitted is None"),
+])
+def test_options_that_are_not_permitted_are_refused(tmp_path, options, sentence):
+    path = write(tmp_path, columns(*points("rail")), "own.txt")
+    with pytest.raises(ValueError, match=sentence):
+        Profile.from_file(path, "rail", **options)
+
+
+def test_a_wheel_has_no_inclination(tmp_path):
+    path = write(tmp_path, columns(Y, Z), "own.txt")
+    with pytest.raises(ValueError, match="is that of a wheel; file_inclination is 0.025; permitted is that"):
+        Profile.from_file(path, "wheel", file_inclination=0.025)
+
+
+def test_a_prepared_profile_takes_no_options(tmp_path):
+    from wrcontact.profiles.files import prepared_text
+
+    profile = Profile.from_file(write(tmp_path, columns(Y, Z), "own.txt"), "wheel")
+    path = write(tmp_path, prepared_text(profile), "own.json")
+    with pytest.raises(ValueError, match="is a prepared profile, which is not changed; mirror_y is True"):
+        Profile.from_file(path, "wheel", mirror_y=True)
+
+
+def test_the_command_line_takes_the_options(tmp_path, capsys):
+    def run(*words):
+        with pytest.raises(SystemExit) as ended:
+            main([str(word) for word in words], prog_name="wrcontact")
+        return ended.value.code, capsys.readouterr().err
+
+    y, z = inclined_rail(1 / 40)
+    path = write(tmp_path, columns(-y, z), "own.txt")
+    code, said = run("solve", "--rail", path, "--rail-mirror-y", "--rail-file-inclination", "1:40")
+    assert not code and said == ""
+    for words, sentence in (
+            (["--rail-mirror-y"], "--rail-mirror-y is given; it is permitted only with --rail FILE"),
+            (["--rail", path, "--rail-rotate-deg", "300"],
+             "'300' is out of range; permitted is -180 ... 180 deg"),
+            (["--rail", path, "--rail-shift-mm", "3"],
+             "'3' is not of the permitted form, two numbers Y,Z"),
+            (["--rail", path, "--rail-file-inclination", "1:5"],
+             "'1:5' is out of range; permitted is 0 ... 1:10")):
+        code, said = run("solve", *words)
+        assert code == 2 and sentence in said and said.count("\n") == 1
