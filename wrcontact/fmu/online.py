@@ -12,7 +12,8 @@ from .compilers import CompilerProblem, compile_kernel, has_zig
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference"})
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference", "progress",
+                     "convert", "pages"})
 
 
 def online_files():

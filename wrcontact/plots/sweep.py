@@ -7,6 +7,7 @@ from matplotlib.ticker import MultipleLocator
 
 from ..conditioning.jumps import find_jumps, merged_jumps
 from ..conventions import SIDES
+from ..results.words import ShortText
 from .geometry import WHEEL_ZONES
 from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, new_figure, number, styled
 
@@ -17,8 +18,8 @@ LARGEST = 8e-3  # [m] lateral shift of a sweep to both sides
 BAND = {"boxstyle": "square,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(ShortText):
     """Wheelset states at rising lateral shifts [m], and the jumps of their contacts."""
 
     lateral_shift: np.ndarray
