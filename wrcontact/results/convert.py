@@ -51,19 +51,28 @@ def to_xarray(table):
     is ``normal_force_input``: the wheels have outputs of its name.
     """
     xarray = needed("xarray", "to_xarray")
-    data = {_input_name(name): ("pose", table.inputs[:, place], _words(INPUT_VARIABLES[name]))
-            for name, place in INPUT_PLACES.items()}
+    variables = data_variables(table)
+    return xarray.Dataset(variables, labels_of(variables))
+
+
+def data_variables(table):
+    """Variables of the data set of :func:`to_xarray`: {name: (dimensions, values, attributes)}."""
+    found = {_input_name(name): (("pose",), table.inputs[:, place], _words(INPUT_VARIABLES[name]))
+             for name, place in INPUT_PLACES.items()}
     for name, parts in _grouped(table.names).items():
-        dimensions, data_of = _stacked(table, parts)
-        data[name] = (dimensions, data_of, _words(variable_of(next(iter(parts.values())))))
+        found[name] = (*_stacked(table, parts), _words(variable_of(next(iter(parts.values())))))
     status = {"long_name": "Outcome of the step, see wrcontact.Status"}
-    data["status"] = ("pose", np.asarray(table.status), status)
+    return {**found, "status": (("pose",), np.asarray(table.status), status)}
+
+
+def labels_of(variables):
+    """{dimension: labels} of these variables, except for the poses."""
     sizes = {}
-    for dimensions, values, _ in data.values():
-        sizes |= dict(zip((dimensions,) if isinstance(dimensions, str) else dimensions, np.shape(values)))
-    labels = {"side": ["left", "right"], "axis": list(AXES)}
-    labels |= {name: np.arange(1, sizes[name] + 1) for name in ("patch", "station_number") if name in sizes}
-    return xarray.Dataset(data, {name: label for name, label in labels.items() if name in sizes})
+    for dimensions, values, _ in variables.values():
+        sizes |= dict(zip(dimensions, np.shape(values)))
+    names = {"side": ["left", "right"], "axis": list(AXES)}
+    return {name: names.get(name) or list(range(1, size + 1)) for name, size in sizes.items()
+            if name != "pose"}
 
 
 def _input_name(name):
