@@ -82,7 +82,8 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
           platforms: Annotated[str | None, typer.Option(
               metavar="NAME[,NAME]",
               help="Platforms of the native FMUs: by default this machine's; or any of "
-                   f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need ziglang")] = None,
+                   f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need "
+                   "ziglang")] = None,
           wheel: Annotated[str | None, typer.Option(
               metavar="FILE", help="Wheel profile to pack and use as the default: a file of points, or a "
                                    "built-in name")] = None,
