@@ -21,12 +21,13 @@ _board = None  # the only one: a terminal has room for one display
 
 
 @contextlib.contextmanager
-def working(words, total=None):
+def working(words, total=None, alone=False):
     """Show work of ``total`` steps (None: unknown) described by ``words`` while the ``with`` block runs.
 
-    Yields a function ``advance(steps=1, words=None)``.  Work inside other work gets a line of its own.
+    Yields a function ``advance(steps=1, words=None)``.  Work inside other work gets a line of its own, unless
+    it is to be shown ``alone``.
     """
-    if not _is_wanted():
+    if not _is_wanted() or (alone and _board is not None):
         yield _ignore
         return
     board, line = _enter(words, total)
@@ -36,9 +37,11 @@ def working(words, total=None):
         _leave(board, line)
 
 
-def tracked(items, words, total=None):
-    """The ``items`` themselves, while the work with them is shown."""
-    with working(words, len(items) if total is None and hasattr(items, "__len__") else total) as advance:
+def tracked(items, words, total=None, alone=False):
+    """The ``items`` themselves, while the work with them is shown as by :func:`working`."""
+    if total is None and hasattr(items, "__len__"):
+        total = len(items)
+    with working(words, total, alone) as advance:
         for item in items:
             yield item
             advance()
@@ -48,9 +51,14 @@ def _is_wanted():
     """Whether somebody can see it: the error stream is a terminal that can move its cursor."""
     if os.environ.get("WRCONTACT_PROGRESS") == "off" or os.environ.get("TERM") == "dumb":
         return False
+    return is_terminal(sys.stderr)
+
+
+def is_terminal(stream):
+    """Whether a stream is a terminal; not where there is none, or where it is closed."""
     try:
-        return sys.stderr.isatty()
-    except (AttributeError, ValueError):        # there is no error stream, or it is closed
+        return stream.isatty()
+    except (AttributeError, ValueError):
         return False
 
 
@@ -64,7 +72,7 @@ def _enter(words, total):
         if _board is None:
             from .board import Board  # rich is not needed before
 
-            _board = Board(DELAY)
+            _board = Board(DELAY, is_terminal(sys.stdout))
         return _board, _board.add(words, total)
 
 

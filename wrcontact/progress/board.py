@@ -16,14 +16,16 @@ from rich.progress import (
 class Board:
     """Lines of work; drawn ``delay`` [s] after it was made, removed without a trace by :meth:`close`.
 
-    Printing to the error stream goes above the lines; the output stream is left alone.
+    What is printed on the error stream meanwhile goes above the lines; so does what is printed on the output
+    stream, if they have a ``shared`` terminal.
     """
 
-    def __init__(self, delay):
+    def __init__(self, delay, shared):
         console = Console(stderr=True)
         columns = (SpinnerColumn("line"), TextColumn("{task.description}", markup=False), BarColumn(),
                    TaskProgressColumn(), TimeRemainingColumn(compact=True, elapsed_when_finished=True))
-        self._progress = Progress(*columns, console=console, transient=True, redirect_stdout=False)
+        self._progress = Progress(*columns, console=console, transient=True, refresh_per_second=4,
+                                  redirect_stdout=shared)
         self._lock, self._closed = threading.Lock(), False
         self._timer = threading.Timer(delay, self._show)
         self._timer.daemon = True
