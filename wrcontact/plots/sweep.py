@@ -9,7 +9,7 @@ from ..conditioning.jumps import find_jumps, merged_jumps
 from ..conventions import SIDES
 from ..results.words import ShortText
 from .geometry import WHEEL_ZONES
-from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, new_figure, number, styled
+from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, given_axes, new_figure, number, styled
 
 SHOWN = (-46e-3, 24e-3)  # [m] of the wheel profile
 STEP = 0.05e-3  # [m]
@@ -38,10 +38,11 @@ def sweep(system, lateral_shift=None, yaw=0.0):
 
 
 @styled
-def sweep_figure(swept):
-    """Contact position of both wheels and roll of the wheelset against the lateral shift."""
-    figure = new_figure(10, 3.6)
-    draw_sweep(figure.subplots(1, 3), swept)
+def sweep_figure(swept, ax=None):
+    """Contact position of both wheels and roll of the wheelset against the lateral shift, in the axes ``ax``
+    (3,) or in a new figure; returns the figure."""
+    figure, panels = given_axes(new_figure(10, 3.6).subplots(1, 3) if ax is None else ax, (3,))
+    draw_sweep(panels, swept)
     return figure
 
 
