@@ -86,7 +86,7 @@ def selected(side, outputs, width):
     """
     check_choice("side", side, ("both", *SIDES))
     if not isinstance(outputs, str) or outputs not in DEPTH_SIZES:
-        return _named(side, [outputs] if isinstance(outputs, str) else list(outputs), width)
+        return _named(side, outputs, width)
     if side == "both" and outputs == "all":
         return Selection(side, outputs, None)
     places = list(range(layout.OUT_LEFT))
@@ -101,10 +101,14 @@ def selected(side, outputs, width):
     return Selection(side, outputs, np.array([place for place in places if place in known]))
 
 
-def _named(side, names, width):
-    """The selection of outputs given by their names, or by the beginning of names up to a dot or bracket."""
+def _named(side, outputs, width):
+    """The selection of outputs given by one name or several, or by the beginning of names up to a dot or
+    bracket."""
     known = output_places(width)
-    chosen = [full for name in names for full in _matching(name, known)]
+    if isinstance(outputs, str):
+        chosen = _matching(outputs, known, "is")
+    else:
+        chosen = [full for name in outputs for full in _matching(name, known, "has")]
     if not chosen:
         raise ValueError("outputs is empty; permitted are 'all', 'patches', 'geometry', or names of outputs")
     whole = any(name.startswith(("force", "moment")) for name in chosen)
@@ -116,12 +120,12 @@ def _named(side, names, width):
                                key=list(reversed(DEPTH_SIZES)).index), places)
 
 
-def _matching(name, known):
+def _matching(name, known, verb):
     found = [full for full in known
              if isinstance(name, str) and (full == name or full.startswith((f"{name}.", f"{name}[")))]
     if not found:
-        raise ValueError(f"outputs has {name!r}; permitted are 'all', 'patches', 'geometry', or names such "
-                         "as 'right.area', 'right.patch' and 'roll' (docs/nomenclature.md)")
+        raise ValueError(f"outputs {verb} {name!r}; permitted are 'all', 'patches', 'geometry', or names "
+                         "such as 'right.area', 'right.patch' and 'roll' (docs/nomenclature.md)")
     return found
 
 
