@@ -1,8 +1,8 @@
 """Pack the FMU and print its path: ``python build_fmu.py [--native] [--output DIR] [--wheel FILE] [--rail
 FILE]``.
 
-This calls ``wrcontact.fmu``.  If an installed wrcontact has the same source as this folder, it is used,
-because it contains the compiled kernel; otherwise the source in this folder is used.
+This is the command ``wrcontact build``.  If an installed wrcontact has the same source as this folder, it is
+used, because it contains the compiled kernel; otherwise the source in this folder is used.
 """
 
 import sys
@@ -29,6 +29,6 @@ def same(source, copy):
 
 if __name__ == "__main__":
     use_installed()
-    from wrcontact.fmu.command import main
+    from wrcontact.cli import main
 
-    sys.exit(main())
+    main(["build", *sys.argv[1:]], prog_name="build_fmu.py")

@@ -13,6 +13,7 @@ import tempfile
 from pathlib import Path
 
 from wrcontact.plots import style
+from wrcontact.progress import tracked
 from wrcontact.study.compare import search_rows
 
 from . import counts, growth, machine, picture, random_poses, rows, skips
@@ -36,7 +37,7 @@ def main(arguments=None):
     print(full_table(measured, effort), flush=True)
     if options.picture:
         print(style.save(picture.figure(measured), options.picture), file=sys.stderr)
-    for part in (search_table, skip_table, count_table, growth_table, thread_table):
+    for part in tracked((search_table, skip_table, count_table, growth_table, thread_table), "tables"):
         print(part(effort), flush=True)
     print(random_poses.numerics(effort.count), flush=True)
     print(random_part(options), flush=True)
@@ -61,8 +62,8 @@ def parsed(arguments):
 def measure(chosen, effort, short=False):
     """The chosen rows, measured, and the FMU's row at the end; with ``short`` only those of the README."""
     measured = [row for row in chosen if row.short or not short]
-    for row in measured * effort.passes:
-        print(f"{row.measure().name}: {row.cost.microseconds:.1f} µs", file=sys.stderr, flush=True)
+    for row in tracked(measured * effort.passes, "rows of the table of models"):
+        row.measure()
     with tempfile.TemporaryDirectory() as folder:
         return [*measured, rows.fmu_row(folder, effort)]
 

@@ -11,8 +11,6 @@ goes on where it was, a larger one only adds, and a changed model is compared an
 import math
 import multiprocessing
 import os
-import sys
-import time
 from functools import cache
 from math import radians
 from pathlib import Path
@@ -22,6 +20,7 @@ import numpy as np
 
 import wrcontact
 from wrcontact.methods import Analyn, Strip
+from wrcontact.progress import tracked
 
 from .table import markdown, percent
 
@@ -96,7 +95,8 @@ def references(count, store=STORE, processes=None):
         store.write_text("".join(map(line, known.values())), encoding="utf-8")
         with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
                 open(store, "a", newline="", encoding="utf-8") as file:
-            for row in with_progress(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
+            solved = pool.imap_unordered(solve, missing, CHUNK)
+            for row in tracked(solved, "random poses with the half-space", len(missing)):
                 file.write(line(row))
                 file.flush()
                 known[int(row[0])] = row
@@ -112,17 +112,6 @@ def stored(store):
     lines = store.read_text(encoding="utf-8").splitlines(keepends=True) if store.exists() else []
     rows = [text.strip().split(",") for text in lines if text.endswith("\n")]
     return [row for row in rows if row[:-6] == heading(int(row[0]))]
-
-
-def with_progress(rows, count):
-    """Yield the rows, and print the remaining time now and then."""
-    start = time.perf_counter()
-    for done, row in enumerate(rows, 1):
-        yield row
-        if done == 100 or done % 1000 == 0:
-            each = (time.perf_counter() - start) / done
-            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to "
-                  f"go", file=sys.stderr, flush=True)
 
 
 # ----------------------------------------------------------------------------------------------------- models

@@ -25,6 +25,7 @@ from wrcontact import ContactSystem
 from wrcontact.plots import style
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline
 from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR
+from wrcontact.progress import tracked
 
 IMAGES = Path(__file__).resolve().parent / "img"
 TURNED = np.radians(7)  # yaw of the sketch from above
@@ -34,7 +35,7 @@ ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shr
 def main(names):
     """Draw the pictures with these names and print their paths."""
     IMAGES.mkdir(exist_ok=True)
-    for name in names:
+    for name in tracked(names, "pictures"):
         print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
 
 

@@ -1,5 +1,7 @@
 """Wheel-rail contact of a wheelset on its track: contact positions, roll, and contact patches."""
 
+from importlib import import_module
+
 from .interface.parameters import Material, Track, Wheelset
 from .methods import (
     Adaptive,
@@ -33,6 +35,19 @@ __all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status"
            "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
            "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
            "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]
+
+#: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
+_LATER = frozenset({"conditioning", "plots", "reference", "study"})
+
+
+def __getattr__(name):
+    if name in _LATER:
+        return import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__():
+    return sorted({*globals(), *_LATER})
 
 
 def check(system):

@@ -6,9 +6,14 @@ Names, units and words of the properties are those of the rows in wrcontact/inte
 import numpy as np
 
 from .interface import outputs as table
+from .interface.inputs import INPUT_NAMES
 from .interface.rows import AXES, Blocks, Run
 from .interface.rows import Vector as VectorRow
 from .kernel import layout
+from .results import columns
+from .results import words as text
+from .results.columns import Kept, output_names, output_places
+from .status import Status
 
 
 def _number(value):
@@ -18,8 +23,7 @@ def _number(value):
 
 def station_count(values):
     """The number of stations in outlines of this output array."""
-    behind = values.shape[-1] - layout.OUTPUT_COUNT
-    return behind // (2 * layout.RUN_COUNT) if behind else layout.STATION_COUNT
+    return columns.station_count(values.shape[-1])
 
 
 def outline_of(values, first):
@@ -42,14 +46,36 @@ class _View:
     """Named places of an output array (m,) or (n, m) from ``offset`` on."""
 
     __slots__ = ("_values", "_offset")
+    _members = ()  # names of the parts, in the order of the table
+    _shown = ()  # those of them in the short text; () for all
 
     def __init__(self, values, offset):
         self._values = values
         self._offset = offset
 
     def __repr__(self):
-        names = [name for name in dir(type(self)) if not name.startswith("_")]
-        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
+        shown = [f"{name}={text.short(getattr(self, name))}" for name in self._shown or self._members]
+        poses = [f"{len(self)} poses"] if self._values.ndim > 1 else []
+        return f"{type(self).__name__}({', '.join(poses + shown)})"
+
+    def __len__(self):
+        if self._values.ndim == 1:
+            raise TypeError(f"the {type(self).__name__} of one pose has no length")
+        return self._values.shape[0]
+
+    def to_dict(self):
+        """All values by name, dicts in dicts: of one pose numbers and lists, of a table arrays (n, ...)."""
+        single = self._values.ndim == 1
+        return {name: _plain(getattr(self, name), single) for name in self._members}
+
+
+def _plain(value, single):
+    """A part of a result for a dict."""
+    if isinstance(value, _View):
+        return value.to_dict()
+    if isinstance(value, tuple):
+        return [entry.to_dict() for entry in value]
+    return value.tolist() if single and isinstance(value, np.ndarray) else value
 
 
 def _at(place, words):
@@ -87,11 +113,13 @@ def _named(rows, record):
     """
 
     def decorate(cls):
+        cls._members = tuple(dict.fromkeys(row.name.split(".")[0] for row in _single(rows))) + cls._members
         for part, members in _parts(rows).items():
             owner = (
                 cls
                 if not part
-                else type(part.capitalize(), (_View,), {"__slots__": (), "__doc__": table.PARTS[part]})
+                else type(part.capitalize(), (_View,), {"__slots__": (), "__doc__": table.PARTS[part],
+                                                        "_members": tuple(members)})
             )
             for name, row in members.items():
                 place = getattr(record, row.field).offset // 8
@@ -111,20 +139,32 @@ def _named(rows, record):
     return decorate
 
 
+def _single(rows):
+    """The rows of single numbers and vectors."""
+    return [row for row in rows if not isinstance(row, (Blocks, Run))]
+
+
 def _parts(rows):
-    """The rows of single numbers and vectors by what stands before and behind the dot of their names."""
+    """The same rows by what stands before and behind the dot of their names."""
     parts = {}
-    for row in rows:
-        if not isinstance(row, (Blocks, Run)):
-            part, _, name = row.name.rpartition(".")
-            parts.setdefault(part, {})[name] = row
+    for row in _single(rows):
+        part, _, name = row.name.rpartition(".")
+        parts.setdefault(part, {})[name] = row
     return parts
 
 
 class Vector(_View):
-    """Three components in the track's axes: x forward, y to the right, z down."""
+    """Three components in the track's axes: x forward, y to the right, z down.  ``np.asarray`` makes it an
+    array (3,), (n, 3) of a table."""
 
     __slots__ = ()
+    _members = tuple(axis for axis, _ in AXES)
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(self._values[..., self._offset : self._offset + len(AXES)], dtype=dtype)
+
+    def __iter__(self):
+        return iter([getattr(self, axis) for axis in self._members])
 
 
 for _place, (_axis, _way) in enumerate(AXES):
@@ -142,6 +182,7 @@ class Outline(_View):
     """Outline and pressure at evenly spaced stations across, from the first loaded place to the last."""
 
     __slots__ = ()
+    _members = tuple(row.name for row in table.SIDE if isinstance(row, Run))
 
 
 for _place, _row in enumerate(row for row in table.SIDE if isinstance(row, Run)):
@@ -153,6 +194,8 @@ class Side(_View):
     """One wheel on its rail."""
 
     __slots__ = ()
+    _members = ("patches", "outline")
+    _shown = ("patch_count", "contact_angle", "penetration", "normal_force", "area", "max_pressure")
 
     @property
     def patch_count(self):
@@ -176,7 +219,7 @@ class Side(_View):
 
 
 @_named(table.WHEELSET, layout.Outputs)
-class WheelsetState:
+class WheelsetState(_View):
     """Result of an evaluation.
 
     Attributes
@@ -184,41 +227,97 @@ class WheelsetState:
     status : a :class:`~wrcontact.Status`; (n,) of a table, likewise the numbers that follow.
     roll [rad], vertical_shift [m], force [N], moment [N m] : of the wheelset; see their own words.
     left, right : a :class:`Side` each.
+    names : of the outputs; ``state["right.area"]`` is the value of one, ``table[3]`` the state of a row.
     inputs : the inputs, in the order of wrcontact/interface/inputs.py; (n, ...) for a table.
     values : the kernel's outputs, likewise.
     """
 
-    __slots__ = ("values", "status", "inputs")
-    _offset = 0
+    __slots__ = ("values", "status", "inputs", "_places")
+    _members = ("left", "right")
 
-    def __init__(self, values, status, inputs):
+    def __init__(self, values, status, inputs, kept=None, width=None):
+        """``kept`` are the places of the columns of ``values`` in the kernel's outputs, of which there are
+        ``width``; None for all."""
         self.values = values
         self.status = status
         self.inputs = inputs
-
-    @property
-    def _values(self):
-        return self.values
+        self._places = kept
+        super().__init__(values if kept is None else Kept(values, kept, width), 0)
 
     @property
     def left(self):
         """The left wheel."""
-        return Side(self.values, layout.OUT_LEFT)
+        return Side(self._values, layout.OUT_LEFT)
 
     @property
     def right(self):
         """The right wheel."""
-        return Side(self.values, layout.OUT_RIGHT)
+        return Side(self._values, layout.OUT_RIGHT)
 
-    def __len__(self):
+    @property
+    def names(self):
+        """Names of the outputs that are there, as in an FMU: ``roll``, ..., ``right.patch[1].area``, ..."""
+        return output_names(self._places, self._values.shape[-1])
+
+    def __getitem__(self, key):
+        """An output or input by its name, ``state["right.patch[1].area"]``: a float, (n,) of a table.
+
+        Of a table also a row, ``table[3]``, the state of one pose; or rows, ``table[2:5]`` or
+        ``table[table.status == 0]``, a table.
+        """
+        if isinstance(key, str):
+            return self._named(key)
         if self.values.ndim == 1:
-            raise TypeError("the state of one pose has no length")
-        return len(self.values)
+            raise TypeError(f"the state of one pose has no row {key!r}; permitted are names of outputs")
+        if np.ndim(key) == 0 and not isinstance(key, slice):
+            values = self.values[key] if self._places is None else self._values.row(key)
+            return WheelsetState(values, Status(int(self.status[key])), self.inputs[key])
+        return WheelsetState(self.values[key], self.status[key], self.inputs[key], self._places,
+                             self._values.shape[-1])
+
+    def _named(self, name):
+        """The output or input of this name."""
+        if name == "status":
+            return self.status
+        if name in INPUT_NAMES:
+            return _number(self.inputs[..., INPUT_NAMES.index(name)])
+        place = output_places(self._values.shape[-1]).get(name)
+        if place is None:
+            raise KeyError(f"there is no output {name!r}; .names lists them")
+        return _number(self._values[..., place])
+
+    def to_dict(self):
+        """Status, inputs and all outputs by name, dicts in dicts: of one pose numbers and lists, of a table
+        arrays (n, ...)."""
+        single = self.values.ndim == 1
+        status = int(self.status) if single else self.status
+        inputs = {name: self[name] for name in INPUT_NAMES} if self.inputs is not None else {}
+        return {"status": status, "inputs": inputs, **super().to_dict()}
+
+    def to_pandas(self):
+        """The table as a pandas.DataFrame: one row per pose, columns with the names of an FMU."""
+        return self._rows().to_pandas(self)
+
+    def to_xarray(self):
+        """The table as a xarray.Dataset with the dimensions pose, side, patch, station_number and axis."""
+        return self._rows().to_xarray(self)
+
+    def _rows(self):
+        if self.values.ndim == 1:
+            raise TypeError("this is the state of one pose; tables come from evaluate_many")
+        from .results import convert  # not part of an FMU
+
+        return convert
 
     def __repr__(self):
         if self.values.ndim > 1:
-            return f"WheelsetState({len(self.values)} poses)"
+            return f"WheelsetState({len(self)} poses)"
         return (
             f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
             f"vertical_shift={self.vertical_shift:.6g} m)"
         )
+
+    def _repr_html_(self):
+        from .results import pages
+
+        return pages.page(self)

@@ -22,50 +22,108 @@ class Status(IntEnum):
         return str(int(self))  # as from Python 3.11 on
 
 
-def explain(status, inputs, compliant=False):
+class Terms:
+    """How a sentence names inputs and shows their values: names of Python and the FMUs, SI units."""
+
+    def name(self, name):
+        """The name of an input."""
+        return name
+
+    def value(self, name, value, limit=math.nan):
+        """A value of an input with its unit, with as many digits as tell it from ``limit``."""
+        return f"{distinct(value, limit)}{unit_behind(UNITS_BY_NAME[name])}"
+
+    def length(self, value):
+        """A length [m] with its unit."""
+        return f"{value:g} m"
+
+
+UNITS_BY_NAME = dict(zip(INPUT_NAMES, INPUT_UNITS))
+
+
+def distinct(value, limit):
+    """``value`` as text with six digits, or with as many as it needs to differ from ``limit``."""
+    texts = (f"{value:.{digits}g}" for digits in range(6, 18))
+    return next((text for text in texts if abs(float(text)) != abs(limit) or value == limit), repr(value))
+
+
+def explain(status, inputs, compliant=False, terms=None):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
     ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says
-    whether the contact mode is compliant.
+    whether the contact mode is compliant, ``terms`` how names and values are written.
     """
-    shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
-    kept = "the outputs keep their last valid values"
     if status == Status.VALID:
         return ""
+    kept = "the outputs keep their last valid values"
+    said = _Sentence(terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs))))
     if status == Status.INVALID_INPUT:
-        return f"{_invalid_input(inputs)}; {kept}"
-    if status == Status.UNLOADED and compliant:
-        return (f"vertical_shift_input is {height:g} m at roll_input {roll:g} rad, so a wheel is lifted and "
-                "carries no load; its patch is empty (a larger vertical_shift_input lowers the wheelset)")
+        return f"{_invalid_input(said)}; {kept}"
     if status == Status.UNLOADED:
-        name, value = ("normal_force", f"{force:g} N") if force == 0.0 else ("load_transfer", f"{transfer:g}")
-        return (f"{name} is {value}, so a wheel carries no load; its patch is empty (a load needs "
-                "normal_force > 0 N and |load_transfer| < 1)")
+        return _unloaded(said, compliant)
     if status == Status.OFF_PROFILE:
-        if abs(shift) <= LATERAL_LIMIT and abs(yaw) > YAW_LIMIT:
-            return f"yaw is {yaw:g} rad, beyond the profiles; permitted is |yaw| <= {YAW_LIMIT:g} rad; {kept}"
-        if abs(shift) > LATERAL_LIMIT:
-            return (f"lateral_shift is {shift:g} m, beyond the profiles; permitted is |lateral_shift| <= "
-                    f"{LATERAL_LIMIT:g} m; {kept}")
-        if compliant and abs(roll) > ROLL_LIMIT:
-            return f"roll_input is {roll:g} rad; permitted is |roll_input| <= {ROLL_LIMIT:g} rad; {kept}"
-        if compliant:
-            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift "
-                    f"{shift:g} m: the contact leaves a profile, or a wheel is deeper in its rail than "
-                    f"{DEEPEST:g} m; {kept}")
-        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a "
-                f"profile, so there is no contact; or, in elastic contact, normal_force {force:g} N with "
-                f"load_transfer {transfer:g} presses a wheel deeper into its rail than {DEEPEST:g} m; "
-                f"permitted are poses with the contact inside both profiles; {kept}")
-    return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, "
-            f"load_transfer {transfer:g} within the iteration limit; {kept}")
+        return f"{_off_profile(said, compliant)}; {kept}"
+    pose = ", ".join(f"{said.name(name)} {said.value(name)}"
+                     for name in ("lateral_shift", "yaw", "normal_force", "load_transfer"))
+    return f"no solution at {pose} within the iteration limit; {kept}"
 
 
-def _invalid_input(inputs):
+class _Sentence:
+    """Parts of a sentence on the ``inputs``, {name: value}."""
+
+    def __init__(self, terms, inputs):
+        self.terms, self.inputs, self.name = terms, inputs, terms.name
+
+    def value(self, name, limit=math.nan):
+        return self.terms.value(name, self.inputs[name], limit)
+
+    def equals(self, name, limit=math.nan):
+        return f"{self.name(name)} is {self.value(name, limit)}"
+
+    def beyond(self, name, limit, why=""):
+        """That an input exceeds the limit of its size."""
+        return (f"{self.equals(name, limit)}{why}; permitted is |{self.name(name)}| <= "
+                f"{self.terms.value(name, limit)}")
+
+
+def _unloaded(said, compliant):
+    if compliant:
+        return (f"{said.equals('vertical_shift_input')} at {said.name('roll_input')} "
+                f"{said.value('roll_input')}, so a wheel is lifted and carries no load; its patch is empty "
+                f"(a larger {said.name('vertical_shift_input')} lowers the wheelset)")
+    name = "normal_force" if said.inputs["normal_force"] == 0.0 else "load_transfer"
+    return (f"{said.equals(name)}, so a wheel carries no load; its patch is empty (a load needs "
+            f"{said.name('normal_force')} > {said.terms.value('normal_force', 0.0)} and "
+            f"|{said.name('load_transfer')}| < 1)")
+
+
+def _off_profile(said, compliant):
+    shift, yaw, roll = (abs(said.inputs[name]) for name in ("lateral_shift", "yaw", "roll_input"))
+    if shift > LATERAL_LIMIT:
+        return said.beyond("lateral_shift", LATERAL_LIMIT, ", beyond the profiles")
+    if yaw > YAW_LIMIT:
+        return said.beyond("yaw", YAW_LIMIT, ", beyond the profiles")
+    deepest = said.terms.length(DEEPEST)
+    if compliant and roll > ROLL_LIMIT:
+        return said.beyond("roll_input", ROLL_LIMIT)
+    if compliant:
+        return (f"{said.equals('vertical_shift_input')} and {said.name('roll_input')} "
+                f"{said.value('roll_input')} at {said.name('lateral_shift')} {said.value('lateral_shift')}: "
+                f"the contact leaves a profile, or a wheel is deeper in its rail than {deepest}")
+    return (f"{said.equals('lateral_shift')} at {said.name('yaw')} {said.value('yaw')}: the smallest gap "
+            "lies at the end of a profile, so there is no contact; or, in elastic contact, "
+            f"{said.name('normal_force')} {said.value('normal_force')} with {said.name('load_transfer')} "
+            f"{said.value('load_transfer')} presses a wheel deeper into its rail than {deepest}; permitted "
+            "are poses with the contact inside both profiles")
+
+
+def _invalid_input(said):
     """A clause on the first input that is not permitted."""
-    for name, unit, value in zip(INPUT_NAMES, INPUT_UNITS, inputs):
-        if not math.isfinite(value):
-            return f"{name} is {value}{unit_behind(unit)}; permitted are finite numbers"
-    if inputs[layout.IN_NORMAL_FORCE] < 0.0:
-        return f"normal_force is {inputs[layout.IN_NORMAL_FORCE]:g} N; permitted is normal_force >= 0 N"
-    return f"load_transfer is {inputs[layout.IN_LOAD_TRANSFER]:g}; permitted is -1 <= load_transfer <= 1"
+    for name in INPUT_NAMES:
+        if not math.isfinite(said.inputs[name]):
+            return f"{said.equals(name)}; permitted are finite numbers"
+    if said.inputs["normal_force"] < 0.0:
+        return (f"{said.equals('normal_force', 0.0)}; permitted is {said.name('normal_force')} >= "
+                f"{said.terms.value('normal_force', 0.0)}")
+    return (f"{said.equals('load_transfer', 1.0)}; permitted is -1 <= {said.name('load_transfer')} "
+            "<= 1")

@@ -5,6 +5,7 @@ model of wrcontact/reference/stepping.py.  :meth:`wrcontact.ContactSystem.steppe
 """
 
 import math
+import time
 
 import numpy as np
 
@@ -18,6 +19,8 @@ SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.S
 DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
 #: Permitted penetration, where it is prescribed [m].
 PENETRATION_RANGE = (0.0, 0.01)
+#: Rows that a part of many has at first and at most, and the time that a part should take [s].
+FIRST_ROWS, MOST_ROWS, PART_TIME = 8, 1024, 0.2
 
 
 class Stepper:
@@ -64,6 +67,26 @@ class Stepper:
         float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
+    def parts(self, inputs, places=None):
+        """Evaluate rows of ``inputs`` (n, 7), part after part.
+
+        Yields the rows' slice, their outputs (rows, k) at ``places`` (None: all), and their status (rows,).
+        Rows with status 2, 3 or 4 are NaN.  The arrays are used again for the next part.
+        """
+        most = min(MOST_ROWS, max(len(inputs), 1))
+        outputs, status = np.empty((most, len(self.outputs))), np.empty(most)
+        start, count = 0, FIRST_ROWS
+        while start < len(inputs):
+            rows = slice(start, min(start + count, len(inputs), start + most))
+            part = outputs[: rows.stop - start]
+            part[:] = math.nan
+            began = time.perf_counter()
+            self.step_many(inputs[rows], part, status[: len(part)])
+            count = count * 2 if time.perf_counter() - began < PART_TIME else max(count // 2, 1)
+            count = min(count, most)
+            yield rows, part if places is None else part[:, places], status[: len(part)].astype(int)
+            start = rows.stop
+
     def prescribe(self, penetration):
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
         the force.
@@ -78,8 +101,12 @@ class Stepper:
         if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
             raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
                              "is none, since it follows from the load or from the height")
-        left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float),
-                                      2)
+        try:
+            left, right = np.broadcast_to(np.nan if penetration is None
+                                          else np.asarray(penetration, dtype=float), 2)
+        except (TypeError, ValueError):
+            raise ValueError(f"penetration is {penetration!r}; permitted is one number or (left, right) "
+                             "[m]") from None
         low, high = PENETRATION_RANGE
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):

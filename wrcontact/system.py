@@ -12,12 +12,13 @@ import threading
 
 import numpy as np
 
-from .interface.calls import describe_inputs, describe_parameters, input_values
+from .interface.calls import describe_inputs, describe_parameters, input_values, wrong_input
 from .interface.parameters import PARAMETERS, checked_parameters
 from .kernel import layout
 from .kernel.binding.setup import prepare_tables_of
 from .methods import Halfspace
 from .profiles.find import find_profile
+from .results.columns import selected
 from .state import WheelsetState
 from .status import Status
 from .stepper import Stepper
@@ -130,7 +131,11 @@ class ContactSystem:
             stepper.outputs[:] = math.nan
         stepper.prescribe(penetration)
         stepper.want(side, outputs)
-        stepper.inputs[:] = input_values(arguments, inputs)
+        values = input_values(arguments, inputs)
+        try:
+            stepper.inputs[:] = values
+        except (TypeError, ValueError):
+            raise wrong_input(values, array=False) from None
         status = stepper.step()
         return WheelsetState(stepper.outputs.copy(), Status(status), stepper.inputs.copy())
 
@@ -139,19 +144,44 @@ class ContactSystem:
         (n, ...).
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
+        ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``.  The table has
+        memory only for what is wanted: 2.2 kB a row for all outputs, 8 B for one.
         """
-        columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float))
-                                        for column in input_values(arguments, inputs)))
+        from .progress import working  # not part of an FMU
+
+        rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
+        width = len(stepper.outputs)
+        values = np.empty((len(rows), width if wanted.places is None else len(wanted.places)))
+        status = np.empty(len(rows), dtype=int)
+        with working("evaluating poses", len(rows)) as advance:
+            for part, found, outcome in stepper.parts(rows, wanted.places):
+                values[part], status[part] = found, outcome
+                advance(len(found))
+        return WheelsetState(values, status, rows, wanted.places, width)
+
+    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
+        """As :meth:`evaluate_many`, but yields the table in parts of up to 1024 rows, one after the other:
+        the memory does not grow with the number of rows."""
+        rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
+        for part, found, outcome in stepper.parts(rows, wanted.places):
+            yield WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs))
+
+    def _many(self, arguments, penetration, side, outputs, inputs):
+        """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for
+        them."""
+        given = input_values(arguments, inputs)
+        try:
+            columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float))
+                                            for column in given))
+        except (TypeError, ValueError):
+            raise wrong_input(given, array=True) from None
         if columns[0].ndim != 1:
-            raise ValueError(f"the inputs broadcast to shape {columns[0].shape}; "
-                             "permitted are one-dimensional arrays")
-        rows = np.ascontiguousarray(np.stack(columns, axis=1))
-        stepper = self.stepper(side, outputs)
-        values = np.full((len(rows), len(stepper.outputs)), math.nan)
-        status = np.zeros(len(rows))
+            raise wrong_input(given, array=True)
+        stepper = self._new_stepper()
+        wanted = selected(side, outputs, len(stepper.outputs))
+        stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
-        stepper.step_many(rows, values, status)
-        return WheelsetState(values, status.astype(int), rows)
+        return np.ascontiguousarray(np.stack(columns, axis=1)), wanted, stepper
 
 
 def _rebuild(kind, parameters):
@@ -160,4 +190,5 @@ def _rebuild(kind, parameters):
 
 describe_inputs(ContactSystem.evaluate)
 describe_inputs(ContactSystem.evaluate_many)
+describe_inputs(ContactSystem.evaluate_parts)
 describe_parameters(ContactSystem)

@@ -6,17 +6,19 @@ import re
 import numpy as np
 import pytest
 
+import wrcontact
 from tests.helpers.command_line import read_csv, start
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.options import POSE, SYSTEM, option_of
-from wrcontact.cli.report import KEPT, columns_of, sentence
+from wrcontact.cli.report import KEPT, sentence
 from wrcontact.kernel import layout
 from wrcontact.methods import CHOICES
+from wrcontact.results.convert import columns_of
 from wrcontact.status import explain
 
-COMMANDS = ("demo", "solve", "sweep", "plot", "check", "figures")
+COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "figures")
 
 
 # --- solve ----------------------------------------------------------------------------------------
@@ -110,12 +112,12 @@ def test_solve_at_a_given_height_and_roll(run):
     assert code == 0 and (seen["vertical_shift"], seen["roll"]) == (0.2e-3, np.radians(-0.003))
     assert seen["left"]["normal_force"] == state.left.normal_force > 1e4
     code, out, _ = run("solve", *pose, "--vertical-shift-mm", -1)
-    assert code == 0 and "status 1 (unloaded)" in out and "vertical_shift_input is -0.001 m" in out
+    assert code == 0 and "status 1 (unloaded)" in out and "--vertical-shift-mm is -1 mm" in out
     assert "lifted" in out
     assert "height and roll prescribed" in out
     code, out, err = run("sweep", "--contact-mode", "compliant", "--vertical-shift-mm", 4, "--from-mm", 0,
                          "--to-mm", 1)
-    assert code == 2 and "vertical_shift_input is 0.004 m" in err
+    assert code == 2 and "--vertical-shift-mm is 4 mm" in err
 
 
 def test_solve_tells_that_a_wheel_is_unloaded(run):
@@ -128,7 +130,7 @@ def test_json_has_null_where_there_is_no_contact(run):
     seen = json.loads(out)
     assert code == 2 and seen["status"] == 2 and seen["roll"] is None
     assert seen["right"]["contact"]["y_wheel"] is None
-    assert seen["explanation"] in err
+    assert seen["explanation"].startswith("lateral_shift is 0.02 m") and "--lateral-shift-mm is 20 mm" in err
 
 
 def test_sentence_promises_no_kept_values():
@@ -190,7 +192,7 @@ def test_sweep_beyond_the_profiles_leaves_cells_empty_and_says_so(run, tmp_path)
     written = read_csv(tmp_path / "sweep.csv")
     assert code == 0 and written["status"].tolist() == [0, 0, 2]
     assert np.isnan(written["roll"]).tolist() == [False, False, True]
-    assert "1 of 3 rows" in err and "0.016 m" in err and "0.015 m" in err
+    assert "1 of 3 rows" in err and "16 mm" in err and "15 mm" in err
 
 
 # --- plot -----------------------------------------------------------------------------------------
@@ -209,14 +211,14 @@ def test_plot_draws_a_picture(run, tmp_path, name, opening):
 
 
 WRONG = {
-    "wheel": ("solve --wheel S1003", ["wheel", "S1003", "S1002"]),
-    "rail": ("sweep --rail Vignole", ["rail", "Vignole", "UIC60"]),
-    "model": ("plot --normal-model kalker", ["normal_model", "kalker", "analyn", "hertz"]),
+    "wheel": ("solve --wheel S1003", ["--wheel is 'S1003'", "S1002"]),
+    "rail": ("sweep --rail Vignole", ["--rail is 'Vignole'", "UIC60"]),
+    "model": ("plot --normal-model kalker", ["--normal-model is 'kalker'", "analyn", "hertz"]),
     "mode": ("solve --contact-mode elastisch",
-             ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
-    "load": ("sweep --load lateral", ["load", "lateral", "normal", "vertical"]),
-    "separation": ("solve --separation lateral", ["separation", "lateral", "equidistant_chord"]),
-    "step_of_curvature": ("plot --curvature-step-mm 50", ["curvature_step", "0.05", "0.005 m"]),
+             ["--contact-mode is 'elastisch'", "rigid", "elastic", "compliant"]),
+    "load": ("sweep --load lateral", ["--load is 'lateral'", "normal", "vertical"]),
+    "separation": ("solve --separation lateral", ["--separation", "lateral", "equidistant_chord"]),
+    "step_of_curvature": ("plot --curvature-step-mm 50", ["--curvature-step-mm is 50", "0.02 ... 5 mm"]),
     "height_of_rigid": ("solve --vertical-shift-mm 0.1",
                         ["--vertical-shift-mm", "--contact-mode compliant", "'rigid'"]),
     "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic",
@@ -224,26 +226,44 @@ WRONG = {
     "force_of_compliant": ("plot --normal-force-kn 9 --contact-mode compliant",
                            ["--normal-force-kn", "rigid or elastic"]),
     "deep": ("solve --contact-mode compliant --vertical-shift-mm 4",
-             ["vertical_shift_input", "0.004", "0.002 m"]),
-    "gauge": ("solve --gauge-mm 14350", ["gauge", "14.35", "m"]),
+             ["--vertical-shift-mm is 4 mm", "--lateral-shift-mm 0 mm", "deeper in its rail than 2 mm"]),
+    "gauge": ("solve --gauge-mm 14350", ["--gauge-mm is 14350; permitted is 500 ... 2000 mm"]),
+    "gauge_of_a_hair_too_much": ("solve --gauge-mm 2000.0000001", ["--gauge-mm is 2000.0000001;"]),
+    "modulus": ("solve --youngs-modulus-mpa 1e308", ["--youngs-modulus-mpa is 1e+308", "MPa"]),
+    "tolerance": ("solve --normal-model halfspace --tolerance 1e-4",
+                  ["--tolerance is 0.0001", "--normal-model 'halfspace'"]),
     "inclination": ("solve --rail-inclination 1:forty", ["--rail-inclination", "1:forty", "1:40"]),
     "inclination_of_nothing": ("solve --rail-inclination 1:0", ["--rail-inclination", "1:0"]),
-    "steep_inclination": ("solve --rail-inclination 1:2", ["rail_inclination", "0.5", "0.1"]),
+    "steep_inclination": ("solve --rail-inclination 1:2", ["--rail-inclination is 0.5", "0.1"]),
     "word": ("solve --yaw-deg left", ["--yaw-deg", "left", "number"]),
+    "comma": ("solve --yaw-deg 1,5", ["--yaw-deg", "'1,5' is not a number", "point"]),
     "missing_value": ("solve --yaw-deg", ["--yaw-deg"]),
-    "nan": ("solve --lateral-shift-mm nan", ["lateral_shift", "nan"]),
-    "shift": ("solve --lateral-shift-mm 20", ["lateral_shift", "0.02", "0.015"]),
-    "yaw": ("plot --yaw-deg 10", ["yaw", "0.12"]),
-    "force": ("solve --normal-force-kn -1", ["normal_force", "-1000"]),
-    "force_of_a_sweep": ("sweep --normal-force-kn -1", ["normal_force", "-1000"]),
-    "transfer": ("solve --load-transfer 1.5", ["load_transfer", "1.5"]),
+    "nan": ("solve --lateral-shift-mm nan", ["--lateral-shift-mm is nan"]),
+    "overflow": ("solve --normal-force-kn 1e308", ["--normal-force-kn is inf kN"]),
+    "digits": ("solve --lateral-shift-mm 9" + 5000 * "9", ["--lateral-shift-mm is inf mm"]),
+    "shift": ("solve --lateral-shift-mm 20", ["--lateral-shift-mm is 20 mm", "<= 15 mm"]),
+    "shift_of_a_hair_too_much": ("solve --lateral-shift-mm 15.00000001",
+                                 ["--lateral-shift-mm is 15.00000001 mm", "<= 15 mm"]),
+    "yaw": ("plot --yaw-deg 10", ["--yaw-deg is 10 deg", "6.87549 deg"]),
+    "force": ("solve --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
+    "force_of_a_sweep": ("sweep --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
+    "transfer": ("solve --load-transfer 1.5", ["--load-transfer is 1.5"]),
     "step": ("sweep --step-mm 0", ["--step-mm", "0"]),
     "backwards": ("sweep --from-mm 3 --to-mm -3", ["--from-mm 3", "--to-mm -3"]),
-    "endless": ("sweep --step-mm 1e-9", ["--step-mm", "1e-09", "1000000"]),
+    "far": ("sweep --from-mm -1e308 --to-mm 1e308", ["--from-mm -1e+308", "1000"]),
+    "endless": ("sweep --step-mm 1e-9 --output {folder}/a.csv", ["--step-mm 1e-09", "1000000"]),
+    "endless_step": ("sweep --step-mm 1e-320 --output {folder}/a.csv", ["--step-mm", "1000000"]),
+    "many_rows_to_print": ("sweep --step-mm 0.001", ["16001 rows", "10000", "--output FILE"]),
+    "no_contact": ("sweep --from-mm 16 --to-mm 20 --output {folder}/a.csv", ["lateral shift is 16 mm"]),
     "folder": ("sweep --csv {folder}/no/such/sweep.csv", ["sweep.csv", "No such file"]),
+    "ending": ("sweep --output {folder}/a.xls", ["--output", "a.xls", ".csv, .json, .parquet, .nc"]),
+    "no_ending": ("sweep --output {folder}/a", ["--output", ".csv"]),
+    "other_ending": ("sweep --netcdf {folder}/a.csv", ["--netcdf", "a.csv", ".nc"]),
+    "two_files": ("sweep --csv a.csv --json a.json", ["--csv and --json", "one of them"]),
     "picture": ("plot --output {folder}/pose.doc", ["pose.doc", ".png"]),
     "picture_folder": ("plot --output {folder}/no/such/pose.png", ["pose.png", "No such file"]),
     "demo_folder": ("demo --output {folder}/file/inside", ["file"]),
+    "platforms": ("build --platforms all", ["--platforms", "--native"]),
     "option": ("solve --speed 100", ["--speed"]),
     "command": ("solv", ["solv"]),
     "argument": ("solve 5", ["5"]),
@@ -257,6 +277,7 @@ def test_wrong_input_is_one_sentence(run, tmp_path, words, told):
     assert code == 2 and out == ""
     assert err.startswith("wrcontact: ") and err.count("\n") == 1 and "Traceback" not in err
     assert all(word in err for word in told), err
+    assert not list(tmp_path.glob("a.*"))
 
 
 def test_a_bug_is_seen(monkeypatch):
@@ -279,6 +300,10 @@ def test_help(run, words):
     code, out, _ = run(*words)
     assert code == 0 and "Usage: wrcontact" in out
     assert all(command in out for command in COMMANDS) or words[0] in COMMANDS
+
+
+def test_version(run):
+    assert run("--version") == (0, f"wrcontact {wrcontact.__version__}\n", "")
 
 
 def test_entry_point():

@@ -15,9 +15,9 @@ from tests.helpers.paths import TRAJECTORIES
 from wrcontact import ContactSystem
 from wrcontact.cli import demo as demo_module
 from wrcontact.cli.demo import compare, stored_inputs, stored_run
-from wrcontact.cli.report import columns_of
 from wrcontact.interface.variables import REFERENCE, VARIABLES
 from wrcontact.plots.geometry import wheel_zone
+from wrcontact.results.convert import columns_of
 
 
 @pytest.fixture(scope="module")

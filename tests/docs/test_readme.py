@@ -5,7 +5,8 @@ import re
 import pytest
 
 from tests.helpers.paths import ROOT, TESTS
-from wrcontact.fmu import command, native
+from wrcontact.cli import main
+from wrcontact.fmu import native
 from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import OUTPUT, VARIABLES
 from wrcontact.profiles.catalogue import BUILDERS
@@ -73,7 +74,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
     for name in (*PLATFORMS, *BUILDERS, *native.compiled_units(2)):
         assert name in page, name
     with pytest.raises(SystemExit):
-        command.main(["--help"])
+        main(["build", "--help"])
     options = capsys.readouterr().out
     for option in re.findall(r"--[a-z]+", page):
         assert option in options, option

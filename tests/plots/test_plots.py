@@ -10,7 +10,6 @@ from matplotlib.image import imread
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 from wrcontact.cli.demo import stored_inputs, stored_run
-from wrcontact.cli.report import columns_of
 from wrcontact.plots import (
     contact_figure,
     demo_figure,
@@ -27,6 +26,7 @@ from wrcontact.plots.patch import fine_outline
 from wrcontact.plots.style import number
 from wrcontact.plots.sweep import told_jumps
 from wrcontact.profiles import standard_profile
+from wrcontact.results.convert import columns_of
 
 SYSTEM = ContactSystem()
 MM = 1e-3

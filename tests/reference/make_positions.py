@@ -11,6 +11,7 @@ from pathlib import Path
 
 from tests.reference.brute_force import rigid_contact, track
 from tests.reference.halfspace_reference import normal_contact
+from wrcontact.progress import tracked
 
 OUTPUT = Path(__file__).resolve().with_name("positions.csv")
 # lateral shift [mm]
@@ -24,7 +25,7 @@ def main():
     with open(OUTPUT, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(NAMES)
-        for shift in POSITIONS:
+        for shift in tracked(POSITIONS, "positions"):
             patch = normal_contact(system, rigid_contact(system, shift * 1e-3, 0.0), "right", FORCE)
             values = (f"{value:.9g}" for value in (patch.penetration, patch.area, patch.max_pressure))
             table.writerow([round(shift * 1e-3, 9), 0.0, FORCE, *values])

@@ -17,6 +17,7 @@ import numpy as np
 from tests.reference.brute_force import rigid_contact, track
 from tests.reference.find_jumps import find_jumps
 from tests.reference.halfspace_reference import normal_contact
+from wrcontact.progress import tracked
 
 OUTPUT = Path(__file__).resolve().parent.parent / "trajectories"
 TIME_STEP = 0.01  # [s]
@@ -33,7 +34,7 @@ def main(names):
         inputs = RUNS[name]()
         rows = rigid_rows(inputs)
         write(name, rows)  # early, with empty patch columns
-        write(name, [{**row, **patches(row)} for row in rows])
+        write(name, [{**row, **patches(row)} for row in tracked(rows, f"patches of {name}")])
 
 
 # ----------------------------------------------------------------------------------------------------- inputs
@@ -101,7 +102,8 @@ def rigid_rows(inputs):
     """Inputs and rigid answers, patch columns still empty; a roll_guess of None becomes the
     roll of the row before."""
     rows, last_roll = [], 0.0
-    for index, (lateral_shift, yaw, roll_guess, normal_force, load_transfer) in enumerate(inputs):
+    for index, given in enumerate(tracked(inputs, "rigid contacts")):
+        lateral_shift, yaw, roll_guess, normal_force, load_transfer = given
         wheelset = rigid(lateral_shift, yaw)
         row = dict(time=index * TIME_STEP, lateral_shift=lateral_shift, yaw=yaw,
                    roll_guess=last_roll if roll_guess is None else roll_guess,

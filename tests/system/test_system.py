@@ -53,7 +53,7 @@ def test_rows_that_cannot_be_are_nan_and_say_why(system):
     np.testing.assert_array_equal(table.status, [0, 4, 2, 4, 1])
     np.testing.assert_array_equal(np.isnan(table.roll), [False, True, True, True, False])
     assert table.right.area[0] == pytest.approx(system.evaluate(normal_force=1e4).right.area, rel=1e-9)
-    with pytest.raises(ValueError, match="permitted are one-dimensional"):
+    with pytest.raises(ValueError, match="lateral_shift has the shape .2, 2."):
         system.evaluate_many(lateral_shift=np.zeros((2, 2)))
 
 

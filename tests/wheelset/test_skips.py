@@ -236,7 +236,7 @@ def test_wrong_wishes_are_refused(arguments, sentence):
     for ask in (system.stepper, system.evaluate, system.evaluate_many):
         with pytest.raises(ValueError) as refusal:
             ask(**arguments)
-        assert str(refusal.value) == sentence
+        assert str(refusal.value).startswith(sentence)
     assert system.evaluate(1e-3).status == Status.VALID
 
 

@@ -1,4 +1,4 @@
-"""The commands ``demo``, ``solve``, ``sweep``, ``plot``, ``check`` and ``figures``."""
+"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check`` and ``figures``."""
 
 import sys
 from pathlib import Path
@@ -7,23 +7,18 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from .. import ContactSystem
+from .. import ContactSystem, __version__
+from ..kernel.binding.platforms import PLATFORMS
 from ..profiles.remarks import remarks_in_lines
+from ..progress import working
 from ..status import Status
 from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
 from .profile_files import reads_files
-from .report import (
-    columns_of,
-    is_compliant,
-    print_state,
-    print_sweep,
-    sentence,
-    state_text,
-    sweep_remark,
-    write_table,
-)
+from .report import SWEEP_OUTPUTS, Remark, is_compliant, print_state, print_sweep, sentence, state_text
+from .tables import writes_tables
+from .terms import Typed, typed
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
@@ -31,7 +26,8 @@ main = typer.Typer(
     help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the "
          "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
          "deg, forces in kN, pressures in MPa.")
-MOST_ROWS = 1_000_000
+MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
+WIDEST = 1000.0  # lateral shift of a sweep [mm]
 PICTURES = (".png", ".svg", ".pdf")
 
 
@@ -46,8 +42,16 @@ Smoothing = Annotated[float | None, typer.Option(
          "goes through every point (default: the estimated noise of the points)")]
 
 
+def _print_version(wanted):
+    if wanted:
+        print(f"wrcontact {__version__}")
+        raise typer.Exit
+
+
 @main.callback(invoke_without_command=True)
-def welcome(context: typer.Context):
+def welcome(context: typer.Context,
+            version: Annotated[bool, typer.Option("--version", callback=_print_version, is_eager=True,
+                                                  help="Print the version")] = False):
     # no docstring: typer would show it instead of the help above
     if context.invoked_subcommand is None:
         print(context.get_help())
@@ -69,6 +73,37 @@ def demo(output: Annotated[Path, typer.Option(
     from .demo import run_demo
 
     raise typer.Exit(0 if run_demo(output, native) else 1)
+
+
+@main.command()
+@reads_files
+def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of the FMU")] = Path("dist"),
+          native: Annotated[bool, typer.Option(
+              "--native", help="Pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no "
+                               "Python")] = False,
+          platforms: Annotated[str | None, typer.Option(
+              metavar="NAME[,NAME]",
+              help="Platforms of the native FMUs: by default this machine's; or any of "
+                   f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need "
+                   "ziglang")] = None,
+          wheel: Annotated[str | None, typer.Option(
+              metavar="FILE", help="Wheel profile to pack and use as the default: a file of points, or a "
+                                   "built-in name")] = None,
+          rail: Annotated[str | None, typer.Option(
+              metavar="FILE", help="Rail profile, likewise")] = None,
+          smoothing: Smoothing = None):
+    """Pack the FMU of a wheelset on track and print its path.
+
+    Example: wrcontact build --native --wheel my_wheel.csv --rail 54E1 --output fmus
+    """
+    from ..fmu.command import built
+
+    if platforms and not native:
+        raise Refused("--platforms is given; it is permitted only with --native")
+    with sentences(typed, code=1), remarks_in_lines("wrcontact"), working("building the FMU"):
+        paths = built(native, platforms, output=output, wheel=wheel, rail=rail,
+                      smoothing=None if smoothing is None else smoothing / 1e6)
+    print(*paths, sep="\n")
 
 
 @main.command()
@@ -97,35 +132,49 @@ def solve(pose, system,
 
 
 @main.command()
+@writes_tables
 @reads_files
 @takes(load=LOAD, system=SYSTEM)
 def sweep(load, system,
           start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
           stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
           step: Annotated[float, millimetres("--step-mm", "Step of the lateral shift, in mm")] = 0.5,
-          file: Annotated[Path | None, typer.Option("--csv", metavar="FILE",
-                                                    help="Write all outputs to this CSV file, in SI units "
-                                                         "and with the names of the FMU, instead of printing "
-                                                         "a few of them")] = None,
+          file=None,
           smoothing: Smoothing = None):
     """Move the wheelset across the track and print a table of its contacts.
 
-    Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
+    With --output all outputs are written to a file instead: .csv and .json with the names of the FMU,
+    .parquet for pandas, .nc for xarray.
+
+    Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv
     """
-    shifts, system = _shifts(start, stop, step), _system(system, smoothing)
+    shifts = _shifts(start, stop, step, MOST_ROWS if file else MOST_PRINTED)
+    system = _system(system, smoothing)
     _refuse_what_is_not_read(system, load)
-    table = system.evaluate_many(lateral_shift=shifts, **load)
-    if min(table.status) > Status.UNLOADED:
-        raise Refused(sweep_remark(system, table))
+    remark = Remark(system)
     if file:
-        with sentences():
-            write_table(file, columns_of(table))
-        print(f"{len(table)} rows written to {file}")
+        _write_sweep(file, system, shifts, load, remark)
+        print(f"{len(shifts)} rows written to {file.path}")
     else:
-        print_sweep(table)
-    remark = sweep_remark(system, table)
-    if remark:
-        print(f"wrcontact: {remark}", file=sys.stderr)
+        table = system.evaluate_many(lateral_shift=shifts, outputs=SWEEP_OUTPUTS, **load)
+        remark.add(table)
+        if not remark.useless:
+            print_sweep(table, step)
+    if remark.useless:
+        raise Refused(remark.words())
+    if remark.words():
+        print(f"wrcontact: {remark.words()}", file=sys.stderr)
+
+
+def _write_sweep(file, system, shifts, load, remark):
+    """Write the sweep part by part; no file if no row has a contact."""
+    with sentences(), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
+        for part in system.evaluate_parts(lateral_shift=shifts, **load):
+            write(part)
+            remark.add(part)
+            advance(len(part))
+        if remark.useless:
+            raise Refused(remark.words())
 
 
 @main.command()
@@ -174,12 +223,16 @@ def check(geometry,
     from .check import check_text, print_check
 
     _refuse_no_picture(output)
-    report = conditioning.check(_system(geometry, smoothing))
+    system = _system(geometry, smoothing)
+    with working("checking the pair", 2) as advance:
+        report = conditioning.check(system)
+        advance(words="drawing the picture")
+        figure = check_figure(report)
     print_check(report)
     with sentences():
         if file:
             write_atomically(file, check_text(report).encode())
-        save(check_figure(report), output)
+        save(figure, output)
     print(f"\npicture written to {output}")
     if not report.usable:
         raise typer.Exit(1)
@@ -215,7 +268,7 @@ def _refuse_no_picture(output):
 def _system(parameters, smoothing):
     """The contact system with these parameters; repairs of profile files are reported in one line per
     file."""
-    with sentences(), remarks_in_lines("wrcontact"):
+    with sentences(typed), remarks_in_lines("wrcontact"):
         return ContactSystem(**parameters, smoothing=None if smoothing is None else smoothing / 1e6)
 
 
@@ -234,16 +287,18 @@ def _refuse_without_contact(system, state):
     """Refuse a state without contact: exit code 1 if the search did not converge, 2 if the input has no
     contact."""
     if state.status > Status.UNLOADED:
-        raise Refused(sentence(state.status, state.inputs, is_compliant(system)),
+        raise Refused(sentence(state.status, state.inputs, is_compliant(system), Typed()),
                       code=1 if state.status == Status.NOT_CONVERGED else 2)
 
 
-def _shifts(start, stop, step):
-    """Lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm] fits."""
-    if not all(map(np.isfinite, (start, stop, step))) or not step > 0 or stop < start:
+def _shifts(start, stop, step, most):
+    """Up to ``most`` lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm]
+    fits."""
+    if not (-WIDEST <= start <= stop <= WIDEST and 0 < step < np.inf):
         raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; "
-                      "permitted are finite numbers with --step-mm > 0 and --to-mm >= --from-mm")
-    count = int((stop - start) / step + 1e-9) + 1
-    if count > MOST_ROWS:
-        raise Refused(f"--step-mm {step:g} gives {count} rows; permitted are at most {MOST_ROWS}")
-    return np.round(start + step * np.arange(count), 9) / 1e3
+                      f"permitted are --step-mm > 0 and {-WIDEST:g} <= --from-mm <= --to-mm <= {WIDEST:g}")
+    count = np.floor((stop - start) / step + 1e-9) + 1 if step > 1e-300 else np.inf
+    if count > most:
+        files = "" if most == MOST_ROWS else f", with --output FILE at most {MOST_ROWS}"
+        raise Refused(f"--step-mm {step:g} gives {count:.10g} rows; permitted are at most {most}{files}")
+    return np.round(start + step * np.arange(int(count)), 9) / 1e3

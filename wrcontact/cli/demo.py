@@ -18,8 +18,10 @@ from rich.table import Table
 from ..conventions import MILLIMETRE, SIDES
 from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
 from ..kernel import layout
+from ..progress import working
 from .door import Refused, sentences
-from .report import console, write_table
+from .report import console
+from .tables import write_table
 
 RUN = "hunting.csv"
 CSV_NAME, PICTURE_NAME = "demo.csv", "demo.png"
@@ -76,9 +78,11 @@ def run_demo(folder, native=False):
     """Run the demo with the Python FMU or a native one, and write to ``folder``; True if every check
     passes."""
     stored = stored_run()
-    with sentences():
+    with sentences(), working("building the FMU", 3) as advance:
         fmu = built(folder, native)
+        advance(words="running the FMU")
         answers, seconds = apart(step_through, fmu, stored)
+        advance(words="drawing the picture")
         write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
         draw(Path(folder, PICTURE_NAME), answers, stored)
     return tell(folder, fmu, compare(answers, stored), seconds)

@@ -5,6 +5,7 @@ from pathlib import Path
 from rich import box
 from rich.table import Table
 
+from ..progress import tracked
 from ..storage.atomic import write_atomically
 from ..study.figure import FAILS, HOLDS, PARTLY, Study
 from ..study.figures import chosen, compute
@@ -24,7 +25,7 @@ def run_figures(output, words):
     folder = Path(output)
     folder.mkdir(parents=True, exist_ok=True)
     study, figures, out = Study(), [], console()
-    for number in numbers:
+    for number in tracked(numbers, "figures"):
         figure = compute(number, study)
         figure.write(folder / f"{figure.stem}.csv")
         save(source_figure(figure), folder / f"{figure.stem}.png")

@@ -4,6 +4,7 @@
 not given leaves the package's default.
 """
 
+import re
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from math import radians
@@ -12,8 +13,11 @@ from typing import Annotated
 import typer
 
 from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
+from ..interface.parameters import PARAMETERS
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
+from ..status import distinct
+from .door import Refused
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3,
@@ -53,7 +57,8 @@ def number(text):
     try:
         return float(text)
     except ValueError:
-        raise typer.BadParameter(f"{text!r} is not a number") from None
+        comma = ", permitted is a point before the decimals" if re.fullmatch(r"\s*-?\d+,\d*\s*", text) else ""
+        raise typer.BadParameter(f"{text!r} is not a number{comma}") from None
 
 
 def ratio(text):
@@ -135,8 +140,24 @@ def _values(variables, given):
     """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in
     SI."""
     typed = {variable: given.pop(name_of(variable)) for variable in variables}
-    return {name_of(variable): _in_si(variable, value) for variable, value in typed.items()
+    return {name_of(variable): _checked(variable, value) for variable, value in typed.items()
             if value is not None}
+
+
+def _checked(variable, value):
+    """The value of an option in SI; Refused, in the option's name and unit, if it is not permitted."""
+    found, option = _in_si(variable, value), option_of(variable)
+    if variable.causality != PARAMETER:         # an input's limits are those of a status
+        return found
+    family = PARAMETERS[name_of(variable)].family
+    if family and value not in family.names():
+        raise Refused(f"{option} is {value!r}; permitted are {', '.join(map(repr, family.names()))}")
+    if variable.type == REAL and not variable.minimum <= found <= variable.maximum:
+        unit = UNITS[variable.unit]
+        low, high = (limit * unit.display_factor for limit in (variable.minimum, variable.maximum))
+        text = distinct(value, high if value > high else low)
+        raise Refused(f"{option} is {text}; permitted is {low:g} ... {high:g} {unit.display}".rstrip())
+    return found
 
 
 def _in_si(variable, value):

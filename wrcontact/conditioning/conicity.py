@@ -17,6 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
+from ..results.words import ShortText
+
 #: Amplitudes of the report [m].
 AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
 #: Points of the sum over half an oscillation; its error is proportional to 1 / PLACES^2, 1e-6 of the
@@ -32,8 +34,8 @@ OFF_PROFILE = "the contact leaves the profiles"
 NO_RETURN = "the rolling radius difference does not turn the wheelset back"
 
 
-@dataclass(frozen=True)
-class Conicity:
+@dataclass(frozen=True, repr=False)
+class Conicity(ShortText):
     """Equivalent conicity tan(gamma) at several amplitudes; arrays (m,), NaN where there is no oscillation.
 
     Attributes

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..conventions import SIDES
+from ..results.words import ShortText
 from .jumps import FAR, LIFTED
 
 #: Step of the central differences [m]: roll and positions are accurate to 1e-14, and the curvature of a
@@ -12,8 +13,8 @@ from .jumps import FAR, LIFTED
 NUDGE = 1e-6
 
 
-@dataclass(frozen=True)
-class SideCurves:
+@dataclass(frozen=True, repr=False)
+class SideCurves(ShortText):
     """One contact over the lateral shift, arrays (n,), NaN where there is none.
 
     ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, their derivatives with respect to the lateral
@@ -33,8 +34,8 @@ class SideCurves:
     near_turn: np.ndarray
 
 
-@dataclass(frozen=True)
-class Curves:
+@dataclass(frozen=True, repr=False)
+class Curves(ShortText):
     """Contact of a pair of profiles against the lateral shift; arrays (n,), NaN where there is no contact.
 
     ``lateral_shift`` [m]; ``roll`` [rad] and its derivative ``roll_rate`` [rad/m]; ``jump_distance`` to the

@@ -9,6 +9,7 @@ import numpy as np
 from ..kernel.layout import Profile
 from ..profiles.compiled import evaluate_table, places
 from ..profiles.reading import Reading
+from ..results.words import ShortText
 
 #: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the
 #: contact by 0.2 mm.
@@ -19,8 +20,8 @@ SMOOTH = 4e-3
 STEP = 0.05e-3
 
 
-@dataclass(frozen=True)
-class ProfileQuality:
+@dataclass(frozen=True, repr=False)
+class ProfileQuality(ShortText):
     """One profile, and the part of it that is in contact.
 
     Attributes

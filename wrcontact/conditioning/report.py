@@ -8,6 +8,7 @@ import numpy as np
 from ..conventions import SIDES
 from ..interface.inputs import LATERAL_LIMIT
 from ..interface.parameters import GEOMETRY, Wheelset
+from ..results.words import ShortText
 from ..status import Status
 from ..system import ContactSystem
 from .conformal import conformal_zones, near_stretches
@@ -23,8 +24,8 @@ END = 1e-6  # [m] to which the ends of the usable shifts are located
 HOLE = 0.2e-3  # [m] the conicity bridges shorter ranges without contact; a longer one ends the profiles
 
 
-@dataclass(frozen=True)
-class Conditioning:
+@dataclass(frozen=True, repr=False)
+class Conditioning(ShortText):
     """The results of :func:`check` on a pair of profiles.
 
     Attributes

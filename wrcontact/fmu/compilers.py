@@ -19,6 +19,7 @@ from pathlib import Path
 
 from ..kernel.binding.library import HERE, fingerprint
 from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
+from ..progress import tracked
 from ..storage.atomic import write_atomically
 
 #: No fused a*b + c, so that results have the same bits as the kernel's Python source.
@@ -65,7 +66,8 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
             return str(kept)
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            objects = list(pool.map(compiled, sources))
+            made = tracked(pool.map(compiled, sources), f"compiling for {name}", len(sources))
+            objects = list(made)
         output = Path(scratch, library)
         run("-shared", *chosen.link_flags(library), *objects, "-o", str(output), "-lm")
         return output.read_bytes()

@@ -11,6 +11,7 @@ from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
+from ..progress import tracked
 from ..storage.atomic import write_atomically
 from . import description, description3, native_model
 from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
@@ -50,7 +51,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
         made = {version: native_fmu(version, starts, profiles, platforms, folder, cache)
-                for version in HEADERS}
+                for version in tracked(HEADERS, "packing the native FMUs")}
     Path(output).mkdir(parents=True, exist_ok=True)
     targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
     for target, data in targets.items():
@@ -150,7 +151,7 @@ def libraries(contents, units, platforms, folder, cache):
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
     return {platform: compile_platform(platform, place, units, MODEL, HIDDEN, cache)
-            for platform in platforms}
+            for platform in tracked(platforms, "platforms")}
 
 
 def write_sources(contents, folder):

@@ -7,12 +7,14 @@ from pathlib import Path
 
 from ..kernel.binding.library import HERE, LibraryUnusable, open_library
 from ..kernel.binding.platforms import LIBRARY_NAME, library_name
+from ..progress import tracked
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference"})
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference", "progress",
+                     "convert", "pages"})
 
 
 def online_files():
@@ -27,7 +29,8 @@ def kernel_libraries(platforms):
     made = {}
     try:
         if has_zig():
-            made = {library_name(name): compile_kernel(name) for name in platforms}
+            made = {library_name(name): compile_kernel(name)
+                    for name in tracked(platforms, "kernels for the FMU")}
     except CompilerProblem as problem:
         print(f"WARNING: the FMU gets no compiled kernel for other machines: {problem}", file=sys.stderr)
     try:

@@ -2,6 +2,8 @@
 
 from inspect import Parameter, Signature, signature
 
+import numpy as np
+
 from ..methods.numbers import unit_behind
 from .inputs import INPUTS
 from .parameters import GROUPS, PARAMETERS
@@ -29,6 +31,23 @@ def input_values(arguments, keywords):
             f"{len(arguments)} inputs have no name; permitted are {names}, each once, and others by name"
         )
     return values
+
+
+def wrong_input(values, array):
+    """The ValueError on input ``values`` that are not numbers or, with ``array``, arrays (n,) of numbers that
+    fit together."""
+    kind = "a number or an array (n,) of numbers" if array else "one number"
+    for row, value in zip(INPUTS, values):
+        try:
+            numbers = np.asarray(value, dtype=float)
+        except (TypeError, ValueError):
+            return ValueError(f"{row.name} is {value!r}; permitted is {kind}, in {row.unit}")
+        if numbers.ndim > array:
+            return ValueError(f"{row.name} has the shape {numbers.shape}; permitted is {kind}"
+                              f"{'' if array else '; evaluate_many takes arrays'}")
+    shapes = ", ".join(f"{row.name} {np.shape(value)}" for row, value in zip(INPUTS, values)
+                       if np.ndim(value))
+    return ValueError(f"the inputs have the shapes {shapes}; permitted are arrays of one length")
 
 
 def describe_inputs(function):

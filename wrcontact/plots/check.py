@@ -16,6 +16,8 @@ from .style import (
     RAIL_LABEL,
     SIDE_COLOUR,
     WHEEL_COLOUR,
+    given_axes,
+    in_lines,
     new_figure,
     number,
     styled,
@@ -34,14 +36,18 @@ BROKEN = {"linestyle": ":", "linewidth": 1.2}
 
 
 @styled
-def check_figure(report):
-    """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in seven panels."""
-    figure = new_figure(10, 12.2)
-    grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
-    figure.suptitle(_headline(report), x=0.01, ha="left")
-    draw_places(figure, figure.add_subplot(grid[0, :]), report)
-    panels = [figure.add_subplot(grid[row, column]) for row in (1, 2, 3) for column in (0, 1)]
-    for panel, draw in zip(panels,
+def check_figure(report, ax=None):
+    """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in seven panels: the axes ``ax`` (7,)
+    or those of a new figure, which is returned."""
+    if ax is None:
+        figure = new_figure(10, 12.2)
+        grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
+        figure.suptitle(in_lines(_headline(report), 10), x=0.01, ha="left")
+        ax = [figure.add_subplot(grid[0, :]), *(figure.add_subplot(grid[row, column])
+                                                for row in (1, 2, 3) for column in (0, 1))]
+    figure, panels = given_axes(ax, (7,))
+    draw_places(figure, panels[0], report)
+    for panel, draw in zip(panels[1:],
                            (draw_radii, draw_conicity, draw_moves, draw_roll_rate, draw_distance, draw_near)):
         draw(panel, report)
     return figure
@@ -80,7 +86,8 @@ def draw_places(figure, panel, report):
         if abs(jump.after - jump.before) > 1 * MM:
             panel.annotate(f"{number(jump.lateral_shift / MM, 2)}", top, (0, 3), textcoords="offset points",
                            ha="center", fontsize=7.5)
-    panel.set(aspect="equal", xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
+    panel.set_aspect("equal", adjustable="datalim")
+    panel.set(xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
     panel.spines["left"].set_visible(False)
     figure.colorbar(colours, ax=panel, label="lateral shift, right + [mm]", pad=0.01, aspect=30)
 
@@ -133,30 +140,31 @@ def draw_radii(panel, report):
                        linewidth=1.6 if name == "rolled" else 1.1)
     panel.axhline(0, color=QUIET, linewidth=0.6)
     _shift_axis(panel, "mm")
-    _legend(panel, "upper left")
+    _legend(panel)
 
 
 def draw_conicity(panel, report):
     """Equivalent conicity against the amplitude, with and without roll; dots are the values in the report."""
     panel.set_label("conicity")
     panel.set_title("Equivalent conicity (EN 15302: without roll)")
-    top = 0.1
+    shown = [0.0, 0.09]
     for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"),
                                 ("level", LEVEL_COLOUR, "without roll")):
         curve, dots = report.conicity_curves[name], getattr(report.conicity, name)
         if curve is not None:
             swing = Swing(*curve)
             values = [swing.conicity(value)[0] for value in FINE_AMPLITUDES]
+            shown += [*values, *dots]
             panel.plot(FINE_AMPLITUDES / MM, values, color=colour, label=words)
             panel.plot(AMPLITUDES / MM, dots, "o", color=colour, markersize=3.5)
-            top = max(top, 1.1 * np.nanmax(dots, initial=0.0))
-    panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=(0, top), xlabel="amplitude [mm]", ylabel="tan γ")
-    _legend(panel, "upper center")
+    limits = 1.1 * np.nanmin(shown), 1.1 * np.nanmax(shown)
+    panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=limits, xlabel="amplitude [mm]", ylabel="tan γ")
+    _legend(panel)
 
 
-def _legend(panel, place):
+def _legend(panel):
     if panel.get_legend_handles_labels()[0]:
-        panel.legend(loc=place)
+        panel.legend(loc="best")
     else:
         panel.text(0.5, 0.5, "no contact", transform=panel.transAxes, ha="center", color=QUIET)
 
@@ -165,7 +173,8 @@ def _legend(panel, place):
 
 
 def draw_moves(panel, report):
-    """Rate of the right contact position on wheel and rail, per lateral shift; logarithmic."""
+    """Rate of the right contact position on wheel and rail, per lateral shift; logarithmic, linear near
+    zero."""
     panel.set_label("moves")
     panel.set_title("Rate of the right contact per lateral shift")
     shift, side = report.curves.lateral_shift / MM, report.curves.right
@@ -173,13 +182,12 @@ def draw_moves(panel, report):
     for rate, colour, words in rates:
         panel.plot(*_broken(report, shift, np.abs(rate), "right"), color=colour, label=words)
     _mark_jumps(panel, report, ("right",))
-    panel.set_yscale("log")
-    _shift_axis(panel, "mm / mm")
-    panel.legend(loc="upper left")
+    _shift_axis(panel, "mm / mm", rates=True)
+    panel.legend(loc="best")
 
 
 def draw_roll_rate(panel, report):
-    """Rate of the roll, per lateral shift; logarithmic."""
+    """Rate of the roll, per lateral shift; logarithmic, linear near zero."""
     panel.set_label("roll rate")
     panel.set_title("Roll per lateral shift")
     shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
@@ -187,8 +195,7 @@ def draw_roll_rate(panel, report):
         shift, rate = _broken(report, shift, rate, side)
     panel.plot(shift, rate, color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
-    panel.set_yscale("log")
-    _shift_axis(panel, "mrad / mm")
+    _shift_axis(panel, "mrad / mm", rates=True)
 
 
 def draw_distance(panel, report):
@@ -201,7 +208,7 @@ def draw_distance(panel, report):
     if np.isfinite(report.nearest_jump):
         panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
         panel.annotate(f"centred: {number(report.nearest_jump / MM, 2)} mm", (0, report.nearest_jump / MM),
-                       (0, 12), textcoords="offset points", ha="center", fontsize=8, bbox=BAND)
+                       (7, 0), textcoords="offset points", ha="left", va="center", fontsize=8, bbox=BAND)
     else:
         panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
     _shift_axis(panel, "mm")
@@ -242,22 +249,26 @@ def _mark_jumps(panel, report, sides):
                           gid=f"{side} jump")
 
 
-def _shift_axis(panel, unit):
+def _shift_axis(panel, unit, rates=False):
     panel.set(xlim=(-SHOWN / MM, SHOWN / MM), xlabel="lateral shift, right + [mm]", ylabel=unit)
-    _scale_to_shown(panel)
+    _scale_to_shown(panel, rates)
 
 
-def _scale_to_shown(panel):
-    """Fit the vertical range of ``panel`` to its curves within the shown shifts."""
+def _scale_to_shown(panel, rates):
+    """Fit the vertical range of ``panel`` to its curves within the shown shifts; ``rates`` have a logarithmic
+    axis that is linear near zero, so that a curve may come to zero inside the panel."""
     shown = [np.asarray(line.get_ydata(),
                         dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
              for line in panel.lines if len(line.get_xdata()) > 2]
     values = np.concatenate([*shown, [np.nan]])
     values = values[np.isfinite(values)]
-    if len(values) and np.ptp(values) > 0.0:
-        low, high = np.min(values), np.max(values)
-        if panel.get_yscale() == "log":
-            positive = values[values > 0.0]
-            panel.set_ylim(max(np.min(positive), 1e-3 * high) / 1.3, 1.3 * high)
-        else:
-            panel.set_ylim(low - 0.05 * (high - low), high + 0.05 * (high - low))
+    if not len(values) or np.ptp(values) == 0.0:
+        return
+    low, high = np.min(values), np.max(values)
+    if rates:
+        usual = max(np.percentile(values[values > 0.0], 5), 1e-3 * high)
+        linear, top = 10.0 ** np.floor(np.log10(usual)), 10.0 ** np.ceil(np.log10(high))
+        panel.set_yscale("symlog", linthresh=linear, linscale=0.5)
+        panel.set_ylim(0.0 if low < linear else linear, top if high < 10.0 * linear else 1.3 * high)
+    else:
+        panel.set_ylim(low - 0.05 * (high - low), high + 0.05 * (high - low))

@@ -5,7 +5,7 @@ import numpy as np
 
 from ..conventions import MIRROR
 from ..kernel.layout import PLACE_SIZE, Place
-from ..kernel.surface.locus import outline_point, place_wheelset
+from ..kernel.surface.locus import around_wheel, outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C
@@ -23,6 +23,11 @@ def wheel_outline(system, state, side):
     It is the curve of the points that can touch the rail (wrcontact/kernel/surface/locus.py); without yaw,
     the profile.
     """
+    return wheel_locus(system, state, side)[1:]
+
+
+def wheel_locus(system, state, side):
+    """Track coordinates x, y, z [m] of the same curve, three arrays (n,)."""
     profile = readable_wheel(system.wheel)
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]
     z, slope, _ = profile.evaluate(y)
@@ -31,9 +36,32 @@ def wheel_outline(system, state, side):
     place = Place.at(np.zeros(PLACE_SIZE))
     chosen = system.parameters
     place_wheelset(place, *(sign * pose), chosen["nominal_radius"], chosen["running_circle_distance"] / 2)
-    points = np.array([outline_point(place, *point)[:2]
+    points = np.array([(_along(place, *point), *outline_point(place, *point)[:2])
                        for point in zip(y.tolist(), z.tolist(), slope.tolist())])
-    return sign * points[:, 0], points[:, 1] + state.vertical_shift
+    return points[:, 0], sign * points[:, 1], points[:, 2] + state.vertical_shift
+
+
+def _along(place, y, z, slope):
+    """Track coordinate x [m] of the outline at wheel profile point (y, z), as ``outline_x`` of the kernel."""
+    sin_phi, cos_phi = around_wheel(place, slope)
+    radius = place.radius + z
+    lateral = (place.arm + y) * place.cos_roll - radius * cos_phi * place.sin_roll
+    return place.cos_yaw * radius * sin_phi - place.sin_yaw * lateral
+
+
+def stations_along(system, state, side, station):
+    """Track coordinate x [m] of the wheel's locus at the stations of an outline (n,), from the contact point
+    on; zero without yaw."""
+    if state.inputs[1] == 0.0:
+        return np.zeros_like(station)
+    sign, contact = (1.0 if side == "right" else MIRROR[0]), getattr(state, side).contact
+    y, z = rail_outline(system, side)
+    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    middle = np.interp(sign * contact.y_track, sign * y, length)
+    at = np.interp(station + middle, length, sign * y)
+    x, y, _ = wheel_locus(system, state, side)
+    order = np.argsort(sign * y)
+    return np.interp(at, (sign * y)[order], x[order]) - contact.x_track
 
 
 def rail_outline(system, side):

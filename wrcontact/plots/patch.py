@@ -5,7 +5,10 @@ import numpy as np
 from matplotlib.colors import Normalize
 from scipy.interpolate import Akima1DInterpolator
 
-from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, new_figure, styled
+from ..conventions import SIDES
+from ..methods.choices import check_choice
+from .geometry import stations_along
+from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, given_axes, new_figure, styled
 
 FINER = 12  # drawn points per stored station
 LAYERS = 61  # drawn points from the front edge of the patch to the rear edge
@@ -26,21 +29,49 @@ def fine_outline(outline):
     return np.interp(place, stored, outline.station), half_length, pressure
 
 
-def draw_patch(panel, outline, scale):
+def patch_places(system, state, side):
+    """Where the patches of one wheel lie along the track, from the contact point [m]: their middles at the
+    stations of :func:`fine_outline` (n,).
+
+    Each patch lies on the line that fits the wheel's locus best over its load; without yaw that is zero.
+    """
+    station, half_length, pressure = fine_outline(getattr(state, side).outline)
+    locus, places = stations_along(system, state, side, station), np.full(len(station), np.nan)
+    for inside in _loaded(half_length):
+        load = np.sqrt(half_length[inside] * pressure[inside])
+        if np.count_nonzero(load) > 1:
+            line = np.polyfit(station[inside], locus[inside], 1, w=load)
+            places[inside] = np.polyval(line, station[inside])
+    known = np.flatnonzero(np.isfinite(places))
+    if not len(known):
+        return np.zeros(len(station))
+    nearest = known[np.argmin(np.abs(np.arange(len(station))[:, None] - known), axis=1)]
+    return places[nearest]
+
+
+def _loaded(half_length):
+    """Slices of the points of each patch, with the bare points beside it."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], half_length > 0.0, [0]]).astype(int)))
+    return [slice(max(start - 1, 0), stop + 1) for start, stop in edges.reshape(-1, 2)]
+
+
+def draw_patch(panel, outline, scale, along=0.0):
     """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in
     mm.
 
-    ``scale`` is a matplotlib norm in MPa, so that several patches share one colour scale.
+    ``scale`` is a matplotlib norm in MPa, so that several patches share one colour scale; ``along`` [m] is
+    what :func:`patch_places` gives.
     """
     station, half_length, middle = fine_outline(outline)
     across = np.sin(np.linspace(-np.pi / 2, np.pi / 2, LAYERS))[:, None]
-    y, x = np.broadcast_arrays(station / MM, across * half_length / MM)
+    y, x = np.broadcast_arrays(station / MM, (across * half_length + along) / MM)
     pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
-    mesh = panel.pcolormesh(y, x, pressure, shading="gouraud", cmap=PRESSURE_COLOURS, norm=scale,
-                            rasterized=True)
+    parts = sorted(_loaded(half_length), key=lambda part: -np.max(middle[part]))
+    mesh = [panel.pcolormesh(y[:, part], x[:, part], pressure[:, part], shading="gouraud",
+                             cmap=PRESSURE_COLOURS, norm=scale, rasterized=True) for part in parts][0]
     edge = np.where(_between_patches(half_length), np.nan, half_length)
     for side in (edge, -edge):
-        panel.plot(station / MM, side / MM, color=INK, linewidth=0.9)
+        panel.plot(station / MM, (side + along) / MM, color=INK, linewidth=0.9)
     return mesh
 
 
@@ -63,58 +94,87 @@ def pressure_scale(outlines):
     return Normalize(0, 100 * np.ceil(max(largest, 1.0) / 100))
 
 
-def window_size(outlines):
+def window_size(outlines, places=()):
     """Half width and half length [m] of a window that fits each of several patches, so that they share one
-    scale."""
+    scale; ``places`` are what :func:`patch_places` gives."""
     across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
-    along = max(float(np.max(outline.half_length)) for outline in outlines)
-    return across + MARGIN, along + MARGIN
+    along = max((np.ptp(_ends(*one)) / 2 for one in zip(outlines, places)),
+                default=max(float(np.max(outline.half_length)) for outline in outlines))
+    return across + MARGIN, float(along) + MARGIN
 
 
-def frame_patch(panel, outline, across, along):
+def _ends(outline, along):
+    """The rear and front end of the patches of one wheel [m]."""
+    _, half_length, _ = fine_outline(outline)
+    return np.min((along - half_length)[half_length > 0.0]), np.max((along + half_length)[half_length > 0.0])
+
+
+def frame_patch(panel, outline, across, along, middle=0.0):
     """Set the limits of ``panel`` to ``across`` [m] on both sides of the patch's middle and ``along`` [m]
-    ahead and behind."""
-    middle = 0.5 * (outline.station[0] + outline.station[-1])
-    panel.set_xlim((middle - across) / MM, (middle + across) / MM)
-    panel.set_ylim(-along / MM, along / MM)
+    ahead and behind of ``middle`` [m]."""
+    centre = 0.5 * (outline.station[0] + outline.station[-1])
+    panel.set_xlim((centre - across) / MM, (centre + across) / MM)
+    panel.set_ylim((middle - along) / MM, (middle + along) / MM)
     panel.set_aspect("equal")
 
 
+def chosen_sides(side):
+    """The sides to draw: both for None.
+
+    Raises
+    ------
+    ValueError
+        if there is no such ``side``.
+    """
+    if side is None:
+        return SIDES
+    check_choice("side", side, SIDES)
+    return (side,)
+
+
 @styled
-def outline_figure(state):
-    """The patches of both wheels at one pose, above their pressure."""
-    figure = new_figure(8.5, 6.6)
-    draw_outlines(figure, figure.subplots(2, 2, height_ratios=(2.3, 1)), state)
+def outline_figure(state, system=None, ax=None, side=None):
+    """The patches of both wheels at one pose, or of one ``side``, above their pressure; in the axes ``ax``
+    (2, 2) or (2, 1), or in a new figure; returns the figure.
+
+    With its ``system`` the patches of a yawed wheelset lie where they are along the track; without, all lie
+    beside the contact point.
+    """
+    sides = chosen_sides(side)
+    if ax is None:
+        ax = new_figure(4.25 * len(sides), 6.6).subplots(2, len(sides), height_ratios=(2.3, 1))
+    figure, panels = given_axes(ax, (2, len(sides)))
+    draw_outlines(figure, panels, state, system, sides)
     return figure
 
 
-def draw_outlines(figure, panels, state):
-    """Draw patch and pressure of the left and right wheel into ``panels`` (2, 2), with a common scale."""
-    sides = {"left": state.left, "right": state.right}
-    loaded = [side.outline for side in sides.values() if side.patch_count]
-    for (name, side), upper, lower in zip(sides.items(), *panels):
+def draw_outlines(figure, panels, state, system=None, sides=SIDES):
+    """Draw patch and pressure of the ``sides`` into ``panels`` (2, number of sides), with a common scale."""
+    loaded = [name for name in sides if getattr(state, name).patch_count]
+    places = {name: patch_places(system, state, name) if system is not None else 0.0 for name in loaded}
+    outlines = [getattr(state, name).outline for name in loaded]
+    for name, upper, lower in zip(sides, *panels):
+        side = getattr(state, name)
         upper.set_label(f"{name} patch")
         lower.set_label(f"{name} pressure")
         upper.set_title(_headline(name, side))
         if side.patch_count:
-            mesh = _draw_side(upper, lower, name, side.outline, loaded)
+            half = max(window_size(outlines, places.values()))
+            mesh = draw_patch(upper, side.outline, pressure_scale(outlines), places[name])
+            frame_patch(upper, side.outline, half, half, np.mean(_ends(side.outline, places[name])))
+            upper.set(ylabel="rolling direction [mm]")
+            _draw_below(upper, lower, side.outline, SIDE_COLOUR[name], pressure_scale(outlines))
         else:
             _leave_empty(upper, lower)
     if loaded:
-        figure.colorbar(mesh, ax=panels[0], label="pressure [MPa]", shrink=0.9)
+        figure.colorbar(mesh, ax=list(panels[0]), label="pressure [MPa]", shrink=0.9)
 
 
-def _draw_side(upper, lower, name, outline, loaded):
-    """Patch and pressure of one wheel, with the common scale."""
-    scale = pressure_scale(loaded)
-    mesh = draw_patch(upper, outline, scale)
-    half = max(window_size(loaded))
-    frame_patch(upper, outline, half, half)
-    upper.set(ylabel="rolling direction [mm]")
-    draw_pressure(lower, outline, SIDE_COLOUR[name])
+def _draw_below(upper, lower, outline, colour, scale):
+    """The pressure of one wheel below its patch."""
+    draw_pressure(lower, outline, colour)
     lower.set(xlim=upper.get_xlim(), ylim=(0, 1.05 * scale.vmax), ylabel="pressure [MPa]",
               xlabel="lateral in the contact plane, field side + [mm]")
-    return mesh
 
 
 def _headline(name, side):

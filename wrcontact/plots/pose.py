@@ -5,7 +5,7 @@ import numpy as np
 from ..conventions import SIDES
 from ..kernel import layout
 from .geometry import rail_outline, wheel_outline
-from .patch import draw_outlines
+from .patch import chosen_sides, draw_outlines
 from .style import (
     CONTACT_COLOUR,
     DEGREE,
@@ -14,6 +14,8 @@ from .style import (
     RAIL_COLOUR,
     RAIL_LABEL,
     WHEEL_COLOUR,
+    given_axes,
+    in_lines,
     new_figure,
     number,
     styled,
@@ -27,30 +29,40 @@ HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
 
 
 @styled
-def pose_figure(system, state):
-    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and
-    pressures."""
-    figure = new_figure(9, 9.6)
-    panels = figure.subplots(3, 2, height_ratios=(2, 3.9, 1.6))
-    draw_contacts(figure, panels[0], system, state)
-    draw_outlines(figure, panels[1:], state)
+def pose_figure(system, state, ax=None):
+    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and pressures;
+    in the axes ``ax`` (3, 2) or in a new figure; returns the figure."""
+    if ax is None:
+        ax = _titled(new_figure(9, 9.6), system, state).subplots(3, 2, height_ratios=(2, 3.9, 1.6))
+    figure, panels = given_axes(ax, (3, 2))
+    draw_contacts(panels[0], system, state)
+    draw_outlines(figure, panels[1:], state, system)
     return figure
 
 
 @styled
-def contact_figure(system, state):
-    """Both wheels on their rails at one pose, seen in the direction of travel."""
-    figure = new_figure(9, 3.3)
-    draw_contacts(figure, figure.subplots(1, 2), system, state)
+def contact_figure(system, state, ax=None, side=None):
+    """Both wheels on their rails at one pose, or one ``side``, seen in the direction of travel; in the axes
+    ``ax`` (2,) or (1,), or in a new figure; returns the figure."""
+    sides = chosen_sides(side)
+    if ax is None:
+        ax = _titled(new_figure(4.5 * len(sides), 3.3), system, state).subplots(1, len(sides))
+    figure, panels = given_axes(ax, (len(sides),))
+    draw_contacts(panels, system, state, sides)
     return figure
 
 
-def draw_contacts(figure, panels, system, state):
-    """Draw left and right contact into ``panels`` (2,), with the pose as title."""
-    figure.suptitle(_headline(system, state), x=0.01, ha="left")
-    for panel, side in zip(panels, SIDES):
+def _titled(figure, system, state):
+    title = in_lines(_headline(system, state), figure.get_size_inches()[0])
+    figure.suptitle(title, x=0.01, ha="left")
+    return figure
+
+
+def draw_contacts(panels, system, state, sides=SIDES):
+    """Draw the contacts of the ``sides`` into as many ``panels``."""
+    for panel, side in zip(panels, sides):
         draw_contact(panel, system, state, side)
-    middle_of_rail = OUTSIDE / (INSIDE + OUTSIDE)
+    middle_of_rail = (OUTSIDE if sides[0] == "left" else INSIDE) / (INSIDE + OUTSIDE)
     panels[0].legend(loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8,
                      labelspacing=0.3)
 

@@ -4,11 +4,13 @@ The colours are those of Okabe and Ito, which can be distinguished with any colo
 without pyplot: they need no display and leave no global state.
 """
 
+import textwrap
 from functools import wraps
 from math import radians
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 from matplotlib.figure import Figure
 
 from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
@@ -55,6 +57,7 @@ LOOK = {
     "figure.constrained_layout.h_pad": 0.05,
     "figure.constrained_layout.w_pad": 0.05,
 }
+LETTERS = 9.6  #: of a figure's title in an inch
 RESOLUTION = 130  #: dots per inch of a saved picture
 
 
@@ -76,9 +79,29 @@ def number(value, digits):
     return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "\N{MINUS SIGN}")
 
 
+def in_lines(title, width):
+    """A figure's title with line breaks, so that it fits a figure of this ``width`` [in]; long names are
+    broken too."""
+    return "\n".join(textwrap.wrap(title, round(LETTERS * width)))
+
+
 def new_figure(width, height):
     """An empty figure of this size [in] with automatic layout of its panels."""
     return Figure(figsize=(width, height), dpi=RESOLUTION, layout="constrained", facecolor="white")
+
+
+def given_axes(ax, shape):
+    """The figure of the caller's axes ``ax``, and the axes as an array of this ``shape``.
+
+    Raises
+    ------
+    ValueError
+        if their number is another one.
+    """
+    axes = np.array(ax, dtype=object).reshape(-1)
+    if len(axes) != np.prod(shape):
+        raise ValueError(f"ax has {len(axes)} axes; permitted are {np.prod(shape)}, as an array {shape}")
+    return axes[0].get_figure(), axes.reshape(shape)
 
 
 @styled

@@ -7,8 +7,9 @@ from matplotlib.ticker import MultipleLocator
 
 from ..conditioning.jumps import find_jumps, merged_jumps
 from ..conventions import SIDES
+from ..results.words import ShortText
 from .geometry import WHEEL_ZONES
-from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, new_figure, number, styled
+from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, given_axes, new_figure, number, styled
 
 SHOWN = (-46e-3, 24e-3)  # [m] of the wheel profile
 STEP = 0.05e-3  # [m]
@@ -17,8 +18,8 @@ LARGEST = 8e-3  # [m] lateral shift of a sweep to both sides
 BAND = {"boxstyle": "square,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(ShortText):
     """Wheelset states at rising lateral shifts [m], and the jumps of their contacts."""
 
     lateral_shift: np.ndarray
@@ -37,10 +38,11 @@ def sweep(system, lateral_shift=None, yaw=0.0):
 
 
 @styled
-def sweep_figure(swept):
-    """Contact position of both wheels and roll of the wheelset against the lateral shift."""
-    figure = new_figure(10, 3.6)
-    draw_sweep(figure.subplots(1, 3), swept)
+def sweep_figure(swept, ax=None):
+    """Contact position of both wheels and roll of the wheelset against the lateral shift, in the axes ``ax``
+    (3,) or in a new figure; returns the figure."""
+    figure, panels = given_axes(new_figure(10, 3.6).subplots(1, 3) if ax is None else ax, (3,))
+    draw_sweep(panels, swept)
     return figure
 
 

@@ -71,6 +71,11 @@ class Profile:
                              f"permitted is {JOINT_SLOPE}")
         return Joint(after.start * MM, step * MM, slope, bend / MM)
 
+    def __repr__(self):
+        zones = f"{len(self.zones)} zone{'s' if len(self.zones) > 1 else ''}"
+        return (f"Profile({self.name!r}, {self.kind}, y = {self.zones[0].start:.5g} ... "
+                f"{self.zones[-1].stop:.5g} mm, {zones})")
+
     @classmethod
     def from_file(cls, path, kind, smoothing=None, **options):
         """The profile in a file of points or a prepared file (docs/profiles.md).

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
+from ..progress import tracked
 from ..state import outline_of
 from ..status import Status
 from . import halfspace
@@ -49,8 +50,9 @@ class HalfspaceSolver:
         if status > Status.UNLOADED:
             return status
         answer, total = self._rigid.copy(), np.zeros(6)
+        sides = (layout.OUT_LEFT, layout.OUT_RIGHT)
         try:
-            for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
+            for index, first in enumerate(tracked(sides, "half-space of one pose", alone=True)):
                 side = answer[first:first + layout.SIDE_SIZE]
                 if side[layout.SIDE_NORMAL_FORCE] > 0.0:
                     total += self._solve(index, side, outline_of(answer, first))

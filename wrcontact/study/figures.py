@@ -15,6 +15,7 @@
 
 import re
 
+from ..progress import tracked
 from . import figures_lateral, figures_longitudinal, figures_search, figures_separation, figures_yaw
 from .figure import Study
 
@@ -64,4 +65,4 @@ def table(figures):
 
 if __name__ == "__main__":
     context = Study()
-    print(table(compute(number, context) for number in known()))
+    print(table([compute(number, context) for number in tracked(known(), "figures")]))

@@ -1,0 +1,142 @@
+"""Pictures in the caller's axes, long titles, curves inside their panels, and yawed patches at their own
+place along the track."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import wrcontact
+from wrcontact import ContactSystem, plots
+from wrcontact.plots.geometry import stations_along
+from wrcontact.plots.patch import patch_places
+
+SYSTEM = ContactSystem()
+YAWED = {"lateral_shift": 4.9e-3, "yaw": 0.02}      # [m, rad] two patches on the right wheel
+MM = 1e-3
+
+
+def panel(figure, label):
+    return next(axes for axes in figure.axes if axes.get_label() == label)
+
+
+@pytest.fixture(scope="module")
+def report():
+    """The check of a pair with long names."""
+    wheel = replace(SYSTEM.wheel, name="S1002_after_240000_km_left_wheel_bogie_2_axle_3_car_17_2024.whl")
+    rail = replace(SYSTEM.rail, name="UIC60 curve R 1200 km 123.456 high rail after grinding " + 60 * "x")
+    return wrcontact.check(ContactSystem(wheel=wheel, rail=rail))
+
+
+@pytest.fixture(scope="module")
+def check_picture(report):
+    return plots.check_figure(report)
+
+
+# --- check.png --------------------------------------------------------------------------------------------
+
+
+def test_a_long_title_stays_in_its_figure(check_picture):
+    check_picture.draw_without_rendering()
+    box = check_picture._suptitle.get_window_extent()
+    assert box.x0 >= 0 and box.x1 <= check_picture.bbox.x1 and box.y1 <= check_picture.bbox.y1
+    top = max(axes.get_tightbbox().y1 for axes in check_picture.axes)
+    assert top <= box.y0
+    assert "2024.whl" in check_picture._suptitle.get_text()
+
+
+@pytest.mark.parametrize("label", ["radii", "conicity", "moves", "roll rate", "distance", "near"])
+def test_curves_stay_in_their_panels(check_picture, label):
+    axes = panel(check_picture, label)
+    low, high = axes.get_ylim()
+    for line in axes.lines:
+        x, y = (np.asarray(values, dtype=float) for values in line.get_data())
+        shown = y[(abs(x) <= 8) & np.isfinite(y)] if len(x) > 2 else []
+        assert np.all((shown >= low) & (shown <= high)), line.get_label()
+
+
+def test_contact_points_are_drawn_without_distortion(check_picture):
+    check_picture.draw_without_rendering()
+    axes = panel(check_picture, "places")
+    origin, right, up = (axes.transData.transform(point) for point in ((0, 0), (1, 0), (0, 1)))
+    assert right[0] - origin[0] == pytest.approx(up[1] - origin[1], rel=1e-3)
+
+
+# --- yawed patches ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("yaw", [0.02, -0.02])
+@pytest.mark.parametrize("shift, side", [(4.9e-3, "right"), (-4.9e-3, "left"), (6.5e-3, "right")])
+def test_the_locus_passes_the_contact_point_and_the_other_patch(shift, side, yaw):
+    """The contact point of a shift just behind the jump lies where the second patch is before it."""
+    state = SYSTEM.evaluate(lateral_shift=shift, yaw=yaw)
+    assert stations_along(SYSTEM, state, side, np.zeros(1))[0] == pytest.approx(0.0, abs=1e-5)      # [m]
+    if abs(shift) < 6e-3:
+        behind = SYSTEM.evaluate(lateral_shift=shift * 5.05 / 4.9, yaw=yaw)
+        found, other = (getattr(one, side) for one in (state, behind))
+        at = stations_along(SYSTEM, state, side, np.array([found.patches[1].centroid]))[0]
+        assert at == pytest.approx(other.contact.x_track - found.contact.x_track, abs=0.3e-3)       # [m]
+        assert abs(at) > 1.5e-3
+
+
+def test_two_patches_are_drawn_at_their_own_places():
+    state = SYSTEM.evaluate(**YAWED)
+    first, second = (mesh.get_coordinates()[..., 1] for mesh in
+                     panel(plots.outline_figure(state, SYSTEM), "right patch").collections[:2])
+    middles = [np.mean([part.min(), part.max()]) for part in (first, second)]     # [mm] flange root, tread
+    assert middles == pytest.approx([1.8, 0.0], abs=0.15)
+    axes = panel(plots.outline_figure(state, SYSTEM), "right patch")
+    low, high = axes.get_ylim()
+    assert low < min(first.min(), second.min()) and max(first.max(), second.max()) < high
+    without = panel(plots.outline_figure(state), "right patch").collections[0].get_coordinates()[..., 1]
+    assert without.min() == pytest.approx(-without.max())
+
+
+def test_patches_without_yaw_lie_beside_the_contact_point():
+    state = SYSTEM.evaluate(lateral_shift=4.9e-3)
+    assert not np.any(patch_places(SYSTEM, state, "right"))
+
+
+# --- the caller's axes ------------------------------------------------------------------------------------
+
+
+def drawn(report):
+    """Each picture, and the shape of its axes."""
+    state = SYSTEM.evaluate(**YAWED)
+    swept = plots.sweep(SYSTEM, np.linspace(-1, 1, 5) * MM)
+    return {
+        "sweep": (lambda ax: plots.sweep_figure(swept, ax=ax), (1, 3)),
+        "outline": (lambda ax: plots.outline_figure(state, SYSTEM, ax=ax), (2, 2)),
+        "outline of one side": (lambda ax: plots.outline_figure(state, ax=ax, side="right"), (2, 1)),
+        "contact": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax), (1, 2)),
+        "contact of one side": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax, side="left"), (1, 1)),
+        "pose": (lambda ax: plots.pose_figure(SYSTEM, state, ax=ax), (3, 2)),
+        "check": (lambda ax: plots.check_figure(report, ax=ax), (7, 1)),
+    }
+
+
+def test_pictures_are_drawn_in_the_axes_of_the_caller(report):
+    for name, (draw, shape) in drawn(report).items():
+        figure = Figure()
+        axes = figure.subplots(*shape)
+        assert draw(axes) is figure, name
+        assert all(one.get_label() and one.has_data() for one in np.ravel(axes)), name
+        assert figure._suptitle is None, name
+
+
+@pytest.mark.parametrize("name", ["sweep", "contact", "pose", "check"])
+def test_another_number_of_axes_is_refused(report, name):
+    with pytest.raises(ValueError, match="ax has 4 axes; permitted are"):
+        drawn(report)[name][0](Figure().subplots(2, 2))
+
+
+def test_an_unknown_side_is_refused():
+    with pytest.raises(ValueError, match="side is 'up'"):
+        plots.contact_figure(SYSTEM, SYSTEM.evaluate(), side="up")
+
+
+def test_plots_are_reachable_from_the_package():
+    assert {"plots", "conditioning"} <= set(dir(wrcontact))
+    with pytest.raises(AttributeError, match="no attribute 'plot'"):
+        wrcontact.plot  # noqa: B018

@@ -1,0 +1,180 @@
+"""Results in other forms: rows and columns of tables, dictionaries, arrays, short texts, pandas, xarray."""
+
+import json
+import pickle
+import sys
+
+import numpy as np
+import pytest
+
+import wrcontact
+
+SYSTEM = wrcontact.ContactSystem()
+SHIFTS = np.array([0.0, 5e-3, 20e-3, -3e-3])  # [m] one patch, two patches, off the profile, one patch
+
+
+@pytest.fixture(scope="module")
+def table():
+    return SYSTEM.evaluate_many(SHIFTS, yaw=0.005)
+
+
+@pytest.fixture(scope="module")
+def state():
+    return SYSTEM.evaluate(5e-3, yaw=0.005)
+
+
+def test_a_row_of_a_table_is_the_state_of_one_pose(table):
+    row = table[1]
+    assert row.status is wrcontact.Status.VALID and len(row.right.patches) == 2
+    assert row.right.area == table.right.area[1] and row["lateral_shift"] == 5e-3
+    assert table[2].status is wrcontact.Status.OFF_PROFILE and np.isnan(table[-2].roll)
+    assert len(list(table)) == 4
+
+
+def test_rows_of_a_table_are_a_table(table):
+    np.testing.assert_array_equal(table[1:3].right.area, table.right.area[1:3])
+    valid = table[table.status == 0]
+    assert len(valid) == 3 and np.all(np.isfinite(valid.values))
+    np.testing.assert_array_equal(valid["lateral_shift"], [0.0, 5e-3, -3e-3])
+
+
+def test_names_lead_to_the_properties(table, state):
+    assert state["right.patch[2].area"] == state.right.patches[1].area
+    assert state["force.y"] == state.force.y and state["status"] == 0
+    np.testing.assert_array_equal(table["left.pressure[4]"], table.left.outline.pressure[:, 3])
+    assert list(table.names) == [v.name for v in wrcontact.interface.variables.VARIABLES
+                                 if v.causality == "output" and v.index is not None]
+    np.testing.assert_array_equal(np.stack([table[name] for name in table.names], axis=1), table.values)
+    with pytest.raises(KeyError, match="right.ara"):
+        table["right.ara"]
+    with pytest.raises(TypeError, match="one pose"):
+        state[0]
+
+
+def test_names_of_outlines_follow_the_number_of_stations():
+    system = wrcontact.ContactSystem(stations=5)
+    table = system.evaluate_many([0.0, 1e-3])
+    np.testing.assert_array_equal(table["right.half_length[5]"], table.right.outline.half_length[:, 4])
+    assert "left.station[6]" not in table.names
+    some = system.evaluate_many([0.0, 1e-3], side="right")
+    np.testing.assert_array_equal(some.right.outline.pressure, table.right.outline.pressure)
+
+
+def test_a_vector_is_an_array(table, state):
+    np.testing.assert_array_equal(np.asarray(state.force), [state.force.x, state.force.y, state.force.z])
+    assert np.linalg.norm(state.force) > 1e5 and len([*state.moment]) == 3
+    assert np.asarray(table.force).shape == (4, 3)
+
+
+def test_to_dict(table, state):
+    content = json.loads(json.dumps(state.to_dict()))
+    assert content["status"] == 0 and content["inputs"]["lateral_shift"] == 5e-3
+    assert content["right"]["contact"]["y_wheel"] == state.right.contact.y_wheel
+    assert [patch["area"] for patch in content["right"]["patches"]] == [p.area for p in state.right.patches]
+    assert content["left"]["outline"]["station"] == state.left.outline.station.tolist()
+    np.testing.assert_array_equal(table.to_dict()["right"]["outline"]["pressure"],
+                                  table.right.outline.pressure)
+
+
+def test_a_state_survives_pickling(table, state):
+    assert pickle.loads(pickle.dumps(state)).right.area == state.right.area
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(table))["roll"], table["roll"])
+
+
+# --- only what is wanted ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("outputs, side, count", [
+    ("geometry", "both", 34), ("patches", "right", 49), ("all", "left", 142), (["right.area"], "both", 1),
+    (["roll", "left.contact", "right.patch[2]"], "both", 16), (["moment", "left.half_length"], "both", 34)])
+def test_a_table_holds_only_what_is_wanted(table, outputs, side, count):
+    some = SYSTEM.evaluate_many(SHIFTS, yaw=0.005, outputs=outputs, side=side)
+    assert some.values.shape == (4, count) and len(some.names) == count
+    for name in some.names:
+        if outputs == "geometry" or side != "both":
+            if name.startswith(("force", "moment")) or name.endswith("patch_count"):
+                continue        # the resultant needs both loads
+        np.testing.assert_array_equal(some[name], table[name], err_msg=name)
+    for name in set(table.names) - set(some.names):
+        assert np.all(np.isnan(some[name])), name
+    np.testing.assert_array_equal(some[1].values, np.where(np.isin(table.names, some.names), some[1].values,
+                                                           np.nan))
+
+
+@pytest.mark.parametrize("outputs, word", [("geometri", "'geometri'"), (["right.ara"], "'right.ara'"),
+                                           ([], "empty"), ([3], "3")])
+def test_unknown_outputs_are_refused(outputs, word):
+    with pytest.raises(ValueError, match=f"^outputs .*{word}"):
+        SYSTEM.evaluate_many(0.0, outputs=outputs)
+
+
+def test_parts_are_the_table(table):
+    parts = list(SYSTEM.evaluate_parts(np.repeat(SHIFTS, 10), yaw=0.005, outputs=["roll", "left"]))
+    assert len(parts) > 1
+    together = np.concatenate([part["left.area"] for part in parts])
+    np.testing.assert_allclose(together, np.repeat(table["left.area"], 10), rtol=1e-9)
+
+
+# --- errors name the argument -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda: SYSTEM.evaluate("a"), "lateral_shift is 'a'"),
+    (lambda: SYSTEM.evaluate(0.0, yaw=[1.0, 2.0]), "yaw has the shape .2,.; permitted is one number"),
+    (lambda: SYSTEM.evaluate_many([0.0], normal_force="much"), "normal_force is 'much'.* in N"),
+    (lambda: SYSTEM.evaluate_many([1.0, 2.0], yaw=[1.0, 2.0, 3.0]), "lateral_shift .2,., yaw .3,."),
+    (lambda: SYSTEM.evaluate_many(0.0, roll_guess=np.zeros((2, 2))), "roll_guess has the shape"),
+    (lambda: SYSTEM.evaluate(0.0, penetration=(1, 2, 3)), "penetration is .1, 2, 3."),
+    (lambda: SYSTEM.evaluate(0.0, penetration="deep"), "penetration is 'deep'"),
+    (lambda: SYSTEM.evaluate(0.0, outputs=["roll"]), "outputs is"),
+    (lambda: wrcontact.ContactSystem(normal_model=[1]), "normal_model is"),
+])
+def test_errors_name_the_argument(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+# --- texts ------------------------------------------------------------------------------------------------
+
+
+def test_texts_are_short(table, state):
+    shown = [SYSTEM, SYSTEM.wheel, SYSTEM.rail, SYSTEM.stepper(), table, state, state.right, state.force,
+             state.right.contact, state.right.patches, state.right.outline, table.right, table.left.patches,
+             wrcontact.check(SYSTEM), wrcontact.plots.sweep(SYSTEM, SHIFTS[:2])]
+    assert {repr(one): len(repr(one)) for one in shown if len(repr(one)) > 600} == {}
+    assert "S1002" in repr(SYSTEM.wheel) and "wheel" in repr(SYSTEM.wheel)
+
+
+def test_html(table, state):
+    assert "<td>contact.y_wheel</td><td>mm</td>" in state._repr_html_()
+    assert "4 poses" in table._repr_html_() and table._repr_html_().count("<tr>") == 5
+    some = SYSTEM.evaluate_many(np.zeros(50), outputs=["right.pressure[3]"])
+    assert some._repr_html_().count("<tr>") == 11 and "right.pressure[3]" in some._repr_html_()
+
+
+# --- other packages ---------------------------------------------------------------------------------------
+
+
+def test_pandas(table):
+    pytest.importorskip("pandas")
+    frame = table.to_pandas()
+    np.testing.assert_array_equal(frame["right.patch[1].area"], table["right.patch[1].area"])
+    assert frame["status"].tolist() == [0, 0, 2, 0] and frame.shape == (4, 7 + 276 + 1)
+
+
+def test_xarray(table):
+    pytest.importorskip("xarray")
+    data = table.to_xarray()
+    np.testing.assert_array_equal(data["patch.area"].sel(side="right", patch=2), table["right.patch[2].area"])
+    np.testing.assert_array_equal(data["force"], np.asarray(table.force))
+    np.testing.assert_array_equal(data["pressure"].sel(side="left"), table.left.outline.pressure)
+    np.testing.assert_array_equal(data["normal_force"].sel(side="left"), table["left.normal_force"])
+    np.testing.assert_array_equal(data["normal_force_input"], table["normal_force"])
+    assert data["area"].attrs["units"] == "m2"
+
+
+@pytest.mark.parametrize("method, package", [("to_pandas", "pandas"), ("to_xarray", "xarray")])
+def test_a_missing_package_is_one_sentence(monkeypatch, table, method, package):
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ImportError, match=f"{method} needs {package}, .*pip install {package}"):
+        getattr(table, method)()

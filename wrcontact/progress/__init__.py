@@ -1,0 +1,85 @@
+"""A sign of life on the error stream: what is being done, how far it is, and the time left.
+
+It appears after two seconds, if the error stream is a terminal, and disappears when the work is done; nothing
+is written otherwise.  ``WRCONTACT_PROGRESS=off`` in the environment switches it off.
+
+>>> with working("poses", 100) as advance:
+...     for _ in range(100):
+...         advance()
+"""
+
+import contextlib
+import os
+import sys
+import threading
+
+#: Time after which the sign appears [s].
+DELAY = 2.0
+
+_lock = threading.RLock()
+_board = None  # the only one: a terminal has room for one display
+
+
+@contextlib.contextmanager
+def working(words, total=None, alone=False):
+    """Show work of ``total`` steps (None: unknown) described by ``words`` while the ``with`` block runs.
+
+    Yields a function ``advance(steps=1, words=None)``.  Work inside other work gets a line of its own, unless
+    it is to be shown ``alone``.
+    """
+    if not _is_wanted() or (alone and _board is not None):
+        yield _ignore
+        return
+    board, line = _enter(words, total)
+    try:
+        yield lambda steps=1, words=None: board.advance(line, steps, words)
+    finally:
+        _leave(board, line)
+
+
+def tracked(items, words, total=None, alone=False):
+    """The ``items`` themselves, while the work with them is shown as by :func:`working`."""
+    if total is None and hasattr(items, "__len__"):
+        total = len(items)
+    with working(words, total, alone) as advance:
+        for item in items:
+            yield item
+            advance()
+
+
+def _is_wanted():
+    """Whether somebody can see it: the error stream is a terminal that can move its cursor."""
+    if os.environ.get("WRCONTACT_PROGRESS") == "off" or os.environ.get("TERM") == "dumb":
+        return False
+    return is_terminal(sys.stderr)
+
+
+def is_terminal(stream):
+    """Whether a stream is a terminal; not where there is none, or where it is closed."""
+    try:
+        return stream.isatty()
+    except (AttributeError, ValueError):
+        return False
+
+
+def _ignore(steps=1, words=None):
+    """Advance what nobody sees."""
+
+
+def _enter(words, total):
+    global _board
+    with _lock:
+        if _board is None:
+            from .board import Board  # rich is not needed before
+
+            _board = Board(DELAY, is_terminal(sys.stdout))
+        return _board, _board.add(words, total)
+
+
+def _leave(board, line):
+    global _board
+    with _lock:
+        if board.remove(line) == 0:
+            board.close()
+            if _board is board:
+                _board = None

@@ -1,0 +1,57 @@
+"""The display of :mod:`wrcontact.progress`: lines of work, drawn by rich."""
+
+import threading
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    Progress,
+    SpinnerColumn,
+    TaskProgressColumn,
+    TextColumn,
+    TimeRemainingColumn,
+)
+
+
+class Board:
+    """Lines of work; drawn ``delay`` [s] after it was made, removed without a trace by :meth:`close`.
+
+    What is printed on the error stream meanwhile goes above the lines; so does what is printed on the output
+    stream, if they have a ``shared`` terminal.
+    """
+
+    def __init__(self, delay, shared):
+        console = Console(stderr=True)
+        columns = (SpinnerColumn("line"), TextColumn("{task.description}", markup=False), BarColumn(),
+                   TaskProgressColumn(), TimeRemainingColumn(compact=True, elapsed_when_finished=True))
+        self._progress = Progress(*columns, console=console, transient=True, refresh_per_second=4,
+                                  redirect_stdout=shared)
+        self._lock, self._closed = threading.Lock(), False
+        self._timer = threading.Timer(delay, self._show)
+        self._timer.daemon = True
+        self._timer.start()
+
+    def add(self, words, total):
+        """A new line; its number."""
+        return self._progress.add_task(words, total=total)
+
+    def advance(self, line, steps, words):
+        """Move a line on by ``steps``, and change its ``words`` unless None."""
+        self._progress.update(line, advance=steps, **({} if words is None else {"description": words}))
+
+    def remove(self, line):
+        """Remove a line; the number of lines that are left."""
+        self._progress.remove_task(line)
+        return len(self._progress.task_ids)
+
+    def close(self):
+        """Remove the display."""
+        self._timer.cancel()
+        with self._lock:
+            self._closed = True
+            self._progress.stop()
+
+    def _show(self):
+        with self._lock:
+            if not self._closed:
+                self._progress.start()

@@ -1,0 +1,167 @@
+"""Names of the columns of an output array, and the choice of those that a table keeps."""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from ..interface.outputs import SIDE
+from ..interface.rows import Run
+from ..interface.variables import INPUT, OUTPUT, VARIABLES
+from ..kernel import layout
+from ..methods.choices import check_choice
+
+SIDES = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
+#: The number of a side's outputs that each depth computes.
+DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometry": layout.SIDE_PENETRATION}
+RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
+INPUT_PLACES = {v.name: v.index for v in VARIABLES if v.causality == INPUT}
+#: Variables of the kernel's outputs by name.
+OUTPUTS = {v.name: v for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
+
+
+def station_count(width):
+    """The number of stations of each outline in output arrays of ``width`` numbers."""
+    behind = width - layout.OUTPUT_COUNT
+    return behind // (2 * layout.RUN_COUNT) if behind else layout.STATION_COUNT
+
+
+@cache
+def output_places(width):
+    """{name: place} of all outputs in output arrays of ``width`` numbers."""
+    places = {name: variable.index for name, variable in OUTPUTS.items()}
+    if width == layout.OUTPUT_COUNT:
+        return places
+    places = {name: place for name, place in places.items() if not is_run(name)}
+    names = (f"{side}.{run}[{j + 1}]" for side in SIDES for run in RUNS for j in range(station_count(width)))
+    return places | {name: layout.OUTPUT_COUNT + place for place, name in enumerate(names)}
+
+
+@cache
+def _names_by_place(width):
+    return {place: name for name, place in output_places(width).items()}
+
+
+def output_names(places, width):
+    """Names of the outputs at ``places`` (None: all), in their order."""
+    if places is None:
+        return tuple(output_places(width))
+    known = _names_by_place(width)
+    return tuple(known[place] for place in places.tolist() if place in known)
+
+
+def is_run(name):
+    """Whether this is a number of an outline, such as ``right.pressure[7]``."""
+    return _stem(name).rpartition(".")[2] in RUNS
+
+
+def variable_of(name):
+    """The variable of an output, also where an outline has other stations than those of an FMU."""
+    return OUTPUTS.get(name) or OUTPUTS[f"{_stem(name)}[1]"]
+
+
+def _stem(name):
+    return re.sub(r"\[\d+\]$", "", name)
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What a table keeps: ``places`` of its columns in the kernel's outputs (k,), None for all; what has to
+    be computed for them, ``side`` and ``depth``."""
+
+    side: str
+    depth: str
+    places: np.ndarray | None
+
+
+def selected(side, outputs, width):
+    """The :class:`Selection` for the arguments ``side`` and ``outputs`` of
+    :meth:`~wrcontact.ContactSystem.evaluate_many`.
+
+    Raises
+    ------
+    ValueError
+        if one of them does not exist.
+    """
+    check_choice("side", side, ("both", *SIDES))
+    if not isinstance(outputs, str) or outputs not in DEPTH_SIZES:
+        return _named(side, outputs, width)
+    if side == "both" and outputs == "all":
+        return Selection(side, outputs, None)
+    places = list(range(layout.OUT_LEFT))
+    for name, first in SIDES.items():
+        if side in ("both", name):
+            places.extend(range(first, first + DEPTH_SIZES[outputs]))
+            if outputs == "all":
+                runs = (place for run, place in output_places(width).items()
+                        if place >= layout.OUTPUT_COUNT and run.startswith(f"{name}."))
+                places.extend(runs)
+    known = _names_by_place(width)
+    return Selection(side, outputs, np.array([place for place in places if place in known]))
+
+
+def _named(side, outputs, width):
+    """The selection of outputs given by one name or several, or by the beginning of names up to a dot or
+    bracket."""
+    known = output_places(width)
+    if isinstance(outputs, str):
+        chosen = _matching(outputs, known, "is")
+    else:
+        chosen = [full for name in outputs for full in _matching(name, known, "has")]
+    if not chosen:
+        raise ValueError("outputs is empty; permitted are 'all', 'patches', 'geometry', or names of outputs")
+    whole = any(name.startswith(("force", "moment")) for name in chosen)
+    if side == "both" and not whole:
+        owners = {owner for name in chosen for owner in SIDES if name.startswith(f"{owner}.")}
+        side = owners.pop() if len(owners) == 1 else "both"
+    places = np.array(list(dict.fromkeys(known[name] for name in chosen)))
+    return Selection(side, max((_depth(name, known[name]) for name in chosen),
+                               key=list(reversed(DEPTH_SIZES)).index), places)
+
+
+def _matching(name, known, verb):
+    found = [full for full in known
+             if isinstance(name, str) and (full == name or full.startswith((f"{name}.", f"{name}[")))]
+    if not found:
+        raise ValueError(f"outputs {verb} {name!r}; permitted are 'all', 'patches', 'geometry', or names "
+                         "such as 'right.area', 'right.patch' and 'roll' (docs/nomenclature.md)")
+    return found
+
+
+def _depth(name, place):
+    """What has to be computed for the output ``name`` at this place."""
+    if is_run(name):
+        return "all"
+    if name.startswith(("force", "moment")) or name.endswith(".patch_count"):
+        return "patches"
+    owner = next((first for side, first in SIDES.items() if name.startswith(f"{side}.")), None)
+    loaded = owner is not None and place - owner >= layout.SIDE_PENETRATION
+    return "patches" if loaded else "geometry"
+
+
+class Kept:
+    """The columns ``places`` (k,) of an output array (n, width), held as ``values`` (n, k); others read as
+    NaN."""
+
+    __slots__ = ("values", "_columns")
+    ndim = 2
+
+    def __init__(self, values, places, width):
+        self.values = values
+        self._columns = np.full(width, -1)
+        self._columns[places] = np.arange(len(places))
+
+    @property
+    def shape(self):
+        return len(self.values), len(self._columns)
+
+    def __getitem__(self, key):
+        """``self[..., place]`` (n,) or ``self[..., first:stop]`` (n, m)."""
+        columns = self._columns[key[-1]]
+        found = self.values[:, columns]
+        return np.where(columns < 0, np.nan, found)
+
+    def row(self, place):
+        """One row with all columns (width,)."""
+        return np.where(self._columns < 0, np.nan, self.values[place][self._columns])

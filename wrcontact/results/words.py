@@ -1,0 +1,62 @@
+"""Values as text in display units, short texts of results, and tables in HTML."""
+
+import math
+from dataclasses import fields
+from html import escape
+
+import numpy as np
+
+from ..interface.units import UNITS
+
+#: Digits after the point by display unit.
+DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
+#: Rows of a table that its HTML shows.
+HTML_ROWS = 10
+
+
+def shown(value, unit, digits=None):
+    """A value in SI as text in the display unit; "-" for NaN."""
+    value = float(value) * UNITS[unit].display_factor
+    digits = DIGITS.get(UNITS[unit].display, 4) if digits is None else digits
+    return "-" if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+def unit_name(unit):
+    """The display unit's name; "" for plain numbers."""
+    return UNITS[unit].display or ("" if unit == "1" else unit)
+
+
+def short(value):
+    """A number, or the range of an array, as text in SI with five digits."""
+    if np.ndim(value) == 0:
+        return f"{value:.5g}"
+    finite = np.asarray(value)[np.isfinite(value)]
+    return f"{finite.min():.5g} ... {finite.max():.5g}" if finite.size else "nan"
+
+
+class ShortText:
+    """Base of dataclasses with arrays: their text has numbers in five digits, and of arrays and long tuples
+    only the size."""
+
+    def __repr__(self):
+        shown = [f"{one.name}={_brief(getattr(self, one.name))}" for one in fields(self) if one.repr]
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+
+def _brief(value):
+    if isinstance(value, np.ndarray):
+        return f"array {value.shape}"
+    if isinstance(value, float):
+        return short(value)
+    text = repr(value) if not isinstance(value, (dict, list, tuple)) or len(value) < 4 else ""
+    if 0 < len(text) < 60:
+        return text
+    return f"{type(value).__name__} of {len(value)}" if hasattr(value, "__len__") else type(value).__name__
+
+
+def html_table(title, headings, rows):
+    """A table in HTML: its ``title``, the ``headings`` of its columns and its ``rows`` of texts."""
+    head = "".join(f"<th>{escape(heading)}</th>" for heading in headings)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    return (f"<table><caption>{escape(title)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody>"
+            "</table>")
