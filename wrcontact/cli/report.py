@@ -11,7 +11,7 @@ from rich.table import Table
 
 from ..conventions import SIDES
 from ..interface.outputs import PATCH, SIDE
-from ..interface.rows import Blocks, Run
+from ..interface.rows import single_numbers
 from ..kernel import layout
 from ..results.words import shown, unit_name
 from ..status import Status, explain
@@ -21,8 +21,8 @@ from .terms import SWEEP, Typed
 KEPT = "; the outputs keep their last valid values"
 
 VECTOR_AXES = ("x", "y", "z")
-SIDE_ROWS = [(row.name, row.unit) for row in SIDE if not isinstance(row, (Blocks, Run)) and not row.whole]
-PATCH_ROWS = [(row.name, row.unit) for row in PATCH]
+SIDE_ROWS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
+PATCH_ROWS = list(single_numbers(PATCH))
 #: Columns for each wheel in a printed sweep: heading, name, digits after the point.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
 
@@ -94,7 +94,7 @@ def state_table(state):
 
 
 def _of_patch(side, k, name, unit):
-    return shown(getattr(side.patches[k], name), unit) if k < len(side.patches) else ""
+    return shown(attrgetter(name)(side.patches[k]), unit) if k < len(side.patches) else ""
 
 
 def state_text(system, state):

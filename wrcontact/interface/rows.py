@@ -81,3 +81,13 @@ class Blocks:
     count: int
     rows: tuple
     words: str
+
+
+def single_numbers(rows):
+    """(Name, unit) of each number of ``rows`` but for runs and blocks; vectors as ``force.x``, ``force.y``,
+    ``force.z``."""
+    for row in rows:
+        if isinstance(row, Vector):
+            yield from ((f"{row.name}.{axis}", row.unit) for axis, _ in AXES)
+        elif not isinstance(row, (Blocks, Run)):
+            yield row.name, row.unit

@@ -3,12 +3,12 @@
 import numpy as np
 
 from ..interface.outputs import SIDE
-from ..interface.rows import Blocks, Run
+from ..interface.rows import single_numbers
 from .columns import OUTPUTS
 from .words import HTML_ROWS, html_table, shown, unit_name
 
 #: Outputs of one wheel: names and units, without patches and outlines.
-SIDE_ROWS = [(row.name, row.unit) for row in SIDE if not isinstance(row, (Blocks, Run)) and not row.whole]
+SIDE_ROWS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
 #: Columns of a table of states, where it has them.
 COLUMNS = ("roll", *(f"{side}.{name}" for side in ("left", "right")
                      for name in ("contact.y_wheel", "contact_angle", "area", "max_pressure")))
