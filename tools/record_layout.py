@@ -31,7 +31,7 @@ class Layout:
                 self.values[self.offset(kind, field)] = getattr(kind, field).offset // 8
         for name, value in self.values.items():
             if getattr(module, name, value) != value:
-                raise Refused(f"layout.py: {name} is {getattr(module, name)}, and {value} in a record")
+                raise Refused(f"layout: {name} is {getattr(module, name)}, and {value} in a record")
         for kind in self.classes.values():
             if getattr(kind, "array", None):
                 self.walk(kind, kind.array, [], True)

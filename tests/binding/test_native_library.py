@@ -187,7 +187,7 @@ def test_missing_library_warns_once(tmp_path):
 def test_library_of_other_sources_is_refused(tmp_path):
     folder = copy_package(tmp_path, "edited_wheelset", with_library=True) / "kernel"
     assert library.open_library(folder).wrcontact_abi() == fingerprint(folder)
-    with open(folder / "layout" / "records.py", "a") as source:
+    with open(folder / "layout" / "record.py", "a") as source:
         source.write("# edited\n")
     with pytest.raises(library.LibraryUnusable, match="another version of the kernel"):
         library.open_library(folder)

@@ -8,8 +8,6 @@ import math
 import fmpy
 from fmpy.fmi1 import FMICallException
 
-FATAL = 4
-
 
 def answer_of(instance, call, *arguments):
     """(Status of a call, the log's lines of status, category and sentence)."""

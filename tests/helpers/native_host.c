@@ -867,7 +867,7 @@ typedef struct {
     double at[5];
 } walker;
 
-/* The next number from -1 to 1; the same arithmetic is in walk_process.py. */
+/* The next number from -1 to 1; the same arithmetic is in walker.py. */
 static double draw(walker *self)
 {
     self->random = self->random * 6364136223846793005ULL + 1442695040888963407ULL;

@@ -13,7 +13,7 @@ pytestmark = needs_linux
 
 @pytest.mark.parametrize("count", [500, pytest.param(20_000, marks=pytest.mark.slow)])
 def test_damaged_states_of_a_session_are_refused(count):
-    """Those of the FMUs are in test_fmu.py and test_native_fmu.py."""
+    """Those of the FMUs are in tests/fmu."""
     one, other = (Session(tell=lambda sentence: None) for _ in range(2))
     for session in (one, other):
         session.start()

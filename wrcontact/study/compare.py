@@ -2,8 +2,8 @@
 
     python -m wrcontact.study.compare [--quick]
 
-prints Markdown. Errors are against the exact search (wrcontact/kernel/search/search.py), which a brute-force
-search confirms. The unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
+prints Markdown. Errors are against the exact search (kernel/search/smallest_gap.py), which a
+brute-force search confirms. The unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
 """
 
 import argparse

@@ -78,7 +78,7 @@ class Kernel:
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, hertz, influence):
-        """Outcome, tables and report of prepare_tables.py for these arrays: a setup, two
+        """Outcome, tables and report of prepare/tables.py for these arrays: a setup, two
         definitions, two tables."""
         given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
                                                           ("hertz", hertz), ("influence", influence))]

@@ -215,7 +215,6 @@ static const int64_t layout__PARAMETERS_SIZE = INT64_C(17);
 static const int64_t layout__WIDTH = INT64_C(8);
 static const int64_t layout__PIECE_SIZE = INT64_C(7);
 static const int64_t layout__PROFILE_HEAD = INT64_C(5);
-static const int64_t layout__CURVATURE_HEAD = INT64_C(3);
 static const int64_t layout__PLACE_SIZE = INT64_C(11);
 static const int64_t layout__RESULTANT_COUNT = INT64_C(6);
 static const int64_t layout__PLACE_SHIFT = INT64_C(0);

@@ -49,10 +49,6 @@ class CurvatureTable:
     curvatures: Float * OPEN        # [1/m]
 
 
-#: Numbers of the table before the curvatures.
-CURVATURE_HEAD: Final[int] = CurvatureTable.curvatures.offset // WIDTH
-
-
 @record
 class Place:
     """Where a right wheel is placed on the track, as :mod:`locus` reads it."""
