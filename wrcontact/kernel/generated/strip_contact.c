@@ -22,6 +22,7 @@ static inline int64_t strip_contact__strip_contact(double* penetration, int64_t*
         planes__locate_along_track(work, tables, (*count));
         strip_placement__place_strips(work, (*count), (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))), (*penetration));
         strip_surfaces__describe_strips(work);
+        strip_surfaces__incline_strips(work, tables);
         strips__solve_strips(penetration, satisfied, work, tables, state, force, by_penetration);
         if ((*satisfied) == INT64_C(1))
         {

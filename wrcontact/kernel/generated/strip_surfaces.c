@@ -47,6 +47,39 @@ static inline int64_t strip_surfaces__read_surfaces(array_double_1d work, int64_
     return INT64_C(0);
 }
 
+/* Inclination of the rail at every strip of a pressed wheel; of another one, that of its plane. */
+static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t region;
+    double abscissa;
+    double height;
+    double slope;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+        {
+            (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
+            (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
+        }
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        {
+            abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+            (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
+            (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+        }
+    }
+    return INT64_C(0);
+}
+
 /* Gap, curvature, and ANALYN's half-length and load of every placed strip. */
 static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
 {

@@ -20,6 +20,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration
         tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
         tangent_strip_placement__place_strips_t(work, work_t, (*count), (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))), (*penetration), (*penetration_t));
         tangent_strip_surfaces__describe_strips_t(work, work_t);
+        tangent_strip_surfaces__incline_strips_t(work, work_t, tables);
         tangent_strips__solve_strips_t(penetration, penetration_t, satisfied, work, work_t, tables, state, force, force_t, by_penetration);
         if ((*satisfied) == INT64_C(1))
         {

@@ -60,6 +60,58 @@ static inline int64_t tangent_strip_surfaces__read_surfaces_t(array_double_1d wo
     return INT64_C(0);
 }
 
+/* Tangent of ``incline_strips``. */
+static inline int64_t tangent_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t region;
+    double v1;
+    double v1_t;
+    double abscissa_t;
+    double abscissa;
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    double v2;
+    double v3;
+    double v4;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+        {
+            (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (*cspan_at(&work_t, region + layout__REGION_COS));
+            (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
+            (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = (*cspan_at(&work_t, region + layout__REGION_SIN));
+            (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
+        }
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        {
+            tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
+            abscissa_t = v1_t;
+            abscissa = v1;
+            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+            v2 = 1.0 + slope * slope;
+            v3 = sqrt(v2);
+            v4 = 1.0 / v3;
+            (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (-v4) * tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+            (*cspan_at(&work, strip + layout__STRIP_COS)) = v4;
+            (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__STRIP_COS));
+            (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+        }
+    }
+    return INT64_C(0);
+}
+
 /* Tangent of ``describe_strips``. */
 static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d work, array_double_1d work_t)
 {

@@ -52,6 +52,8 @@ class Strip:
     half_length_square: float       # a^2 after this sweep, eq. (S8) [m^2]
     pressure: float                 # p on the middle line, eq. (S8) [Pa]
     curvature: float                # relative longitudinal curvature 1/R_x of the surfaces [1/m]
+    cos: float                      # of the rail's inclination at its middle; of a region's in one plane
+    sin: float
 
 
 Strips = Strip * STRIP_LIMIT

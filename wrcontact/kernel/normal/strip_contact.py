@@ -7,7 +7,7 @@ from ..layout import Contact, SideSearch, State, Tables
 from .analyn_contact import solve_analyn
 from .strip_patches import fill_from_strips
 from .strip_placement import place_strips
-from .strip_surfaces import describe_strips
+from .strip_surfaces import describe_strips, incline_strips
 from .strips import solve_strips
 
 
@@ -24,6 +24,7 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
         problem = contact.strip_problem
         place_strips(problem, contact.regions, contact.nodes, count, tables.strips, penetration)
         describe_strips(problem, contact.regions, contact.nodes)
+        incline_strips(tables, contact.frame, problem, contact.regions)
         penetration, satisfied = solve_strips(problem, contact.regions, contact.nodes, contact.equations,
                                               tables, state, force, by_penetration)
         if satisfied == 1:

@@ -4,7 +4,7 @@
 from math import fabs, log, sqrt
 
 from ..layout import Distances, Influences, InfluenceTable, Regions, StripProblem, Strips
-from .interaction import planes_cosine, region_lead
+from .interaction import region_lead
 
 
 def measure_distances(distances: Distances, strips: Strips, regions: Regions, i: int, others: int):
@@ -50,7 +50,7 @@ def near_share(share: float):
     return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest))
 
 
-def fill_influences(table: InfluenceTable, problem: StripProblem, regions: Regions):
+def fill_influences(table: InfluenceTable, problem: StripProblem):
     """F_ij of all pairs: displacement of middle line i for y_j = 1; eqs. (S2), (S4)."""
     strips = problem.strips
     count = problem.count
@@ -64,15 +64,14 @@ def fill_influences(table: InfluenceTable, problem: StripProblem, regions: Regio
             if j >= 0 and j < count and j != i:
                 row[j] += near_share(0.5 * strips[j].width / fabs(strips[i].station - strips[j].station))
         row[i] = 2.0 * log(8.0 * strips[i].half_length / strips[i].width)
-    if strips[0].region != strips[count - 1].region:
-        turn_influences(problem.influences, strips, regions, count)
+    turn_influences(problem.influences, strips, count)
     return 0
 
 
-def turn_influences(influences: Influences, strips: Strips, regions: Regions, count: int):
-    """Multiply the influence between regions in different planes by the cosine of the angle between them."""
+def turn_influences(influences: Influences, strips: Strips, count: int):
+    """Multiply the influence between two strips by the cosine of the angle between their normals."""
     for i in range(count):
         for j in range(count):
-            if strips[i].region != strips[j].region:
-                influences[i][j] *= planes_cosine(regions[strips[i].region], regions[strips[j].region])
+            if j != i:
+                influences[i][j] *= strips[i].cos * strips[j].cos + strips[i].sin * strips[j].sin
     return 0

@@ -4,8 +4,21 @@ the region's nodes."""
 from math import log, sqrt
 from typing import Final
 
-from ..layout import NODE_MIDDLE, Nodes, NodesOfRegions, Region, Regions, Strip, StripProblem, Strips
+from ..contact.arc_length import rail_abscissa
+from ..layout import (
+    NODE_MIDDLE,
+    Frame,
+    Nodes,
+    NodesOfRegions,
+    Region,
+    Regions,
+    Strip,
+    StripProblem,
+    Strips,
+    Tables,
+)
 from ..surface.cubic import cubic_through
+from ..surface.profile_table import height_slope
 
 #: Smallest half-length, eq. (S9), as a share of the longest one, of that of the interpenetration, and of the
 #: width of the strip.  Below the last, the strip's own pressure grows without limit, and a light load misses
@@ -41,6 +54,24 @@ def read_surfaces(strip: Strip, region: Region, nodes: Nodes, k: int, x: float):
     strip.A = A * region.upright_a
     strip.curvature = 2.0 * A
     strip.penetration_share = region.upright_share * region.alignment
+    return 0
+
+
+def incline_strips(tables: Tables, frame: Frame, problem: StripProblem, regions: Regions):
+    """Inclination of the rail at every strip of a pressed wheel; of another one, that of its plane."""
+    for i in range(problem.count):
+        strip = problem.strips[i]
+        region = regions[strip.region]
+        strip.cos = frame.plane.cos
+        strip.sin = frame.plane.sin
+        if region.own:
+            strip.cos = region.cos
+            strip.sin = region.sin
+        if frame.pressed:
+            abscissa = rail_abscissa(tables, region.rail, strip.station - region.offset - region.station)
+            height, slope = height_slope(tables.rail, abscissa)
+            strip.cos = 1.0 / sqrt(1.0 + slope * slope)
+            strip.sin = slope * strip.cos
     return 0
 
 

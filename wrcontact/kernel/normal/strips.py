@@ -34,7 +34,7 @@ def solve_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegions,
     penetration = problem.penetration
     found = 0
     for sweep in range(tables.sweeps):
-        fill_influences(tables.influence, problem, regions)
+        fill_influences(tables.influence, problem)
         penetration, found = solve_pressures(problem, equations, regions, tables, state, force,
                                              problem.penetration, by_penetration)
         if found == 0:
