@@ -3,10 +3,9 @@ inputs, rates of functions."""
 
 #: What stands in for an iteration when the kernel is differentiated: a function of RULE_MODULES.
 RULES = {
-    "open_region": "minimum_rule", "zone_width": "width_rule", "find_saddle": "saddle_rule",
-    "solve_penetrations": "penetrations_rule", "touching_pair": "pair_rule",
-    "upright_coefficients": "upright_rule", "move_arc": "arc_rule", "move_chord": "chord_rule",
-    "move_across": "across_rule", "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
+    "zone_width": "width_rule", "solve_penetrations": "penetrations_rule", "move_arc": "arc_rule",
+    "move_chord": "chord_rule", "move_across": "across_rule", "normal_line": "line_rule",
+    "find_overlaps": "overlaps_rule",
 }
 #: Called as they are: they look for places from which an iteration starts.
 SEARCHES = {"list_minima"}

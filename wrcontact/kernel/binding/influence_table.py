@@ -1,50 +1,88 @@
-"""How a strip of contact pressure pushes the half-space down beside it: the table
-that the strip correction reads.
+"""How a strip of contact pressure pushes the half-space down: the table that the strip model reads.
 
-A line load along x with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x = 0 and the
-distance eta by a factor times
+A line load along x with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x and the distance
+eta beside it by a factor times
 
-    Phi(t) = integral from -1 to 1 of sqrt(1 - u^2) / sqrt(u^2 + t^2) du = 2 sqrt(1 + t^2) [K(m) - E(m)]
+    Phi(t, e) = integral from -1 to 1 of sqrt(1 - v^2) / sqrt((v - e)^2 + t^2) dv,   t = eta / a,  e = x / a
 
-with t = eta / a, m = 1 / (1 + t^2), and K, E the complete elliptic integrals of parameter m.
-Numpy alone, because an FMU makes this table on a machine that may have nothing else. Witness
-in tests: the integral itself.
+and a strip that reaches from -T to T on average by the mean of Phi over 0 < t < T.  The table holds both,
+over sqrt(t / (1 + t)) and e^2 / (1 + e^2): value and slope along the first at even steps, for cubics, with
+straight lines along the second.  Numpy alone, because an FMU makes this table on a machine that may have
+nothing else. Witness in tests: the integral itself.
 """
 
 from functools import lru_cache
 
 import numpy as np
 
-from ..layout import Cubic, InfluenceTable
-from ..layout.record import OPEN, size
-from .hertz_table import elliptic_parts
+from ..layout import INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
 
-RANGE = (-11.0, 7.0)  #: of ln t; no two strips lie closer, and farther away nothing is felt
-CELLS_PER_UNIT = 10   #: cubics over these cells hold Phi to 1e-6
+#: The profile as this many straight pieces, closer together near its ends; error 1e-7.
+PIECES = 100
+#: Step of the slopes, of a cell; and where the first node, at t = 0, is taken, of a cell.
+SLOPE_STEP, FIRST = 1e-3, 0.25
 
 
-def influence(t):
-    """Phi(t) and t dPhi/dt = -2 sqrt(1 + t^2) [E - (1 - m) K] for t > 0 (n,)."""
-    t = np.asarray(t, dtype=float)
-    root = np.sqrt(1.0 + t * t)
-    _, _, difference, remainder = elliptic_parts(t / root)
-    return 2.0 * root * difference, -2.0 * root * remainder
+def profile():
+    """Ends of the pieces (n + 1,) and the profile's value and slope along each, (n,), so that each piece
+    has the load of the profile."""
+    ends = np.cos(np.linspace(np.pi, 0.0, PIECES + 1))
+    angle = np.arcsin(ends)
+    load = np.diff(0.5 * (ends * np.cos(angle) + angle))
+    moment = np.diff(-np.cos(angle) ** 3 / 3.0)
+    middle, width = 0.5 * (ends[1:] + ends[:-1]), np.diff(ends)
+    slope = (moment - middle * load) * 12.0 / width**3
+    return ends, load / width - slope * middle, slope
+
+
+def influence(t, e):
+    """Phi(t, e) for t > 0 (..., n) and e (..., n)."""
+    ends, value, slope = profile()
+    w = ends - np.asarray(e, dtype=float)[..., None]
+    t = np.asarray(t, dtype=float)[..., None]
+    level, rise = np.arcsinh(w / t), np.sqrt(w * w + t * t)
+    at = value + slope * np.asarray(e, dtype=float)[..., None]
+    return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1)
+
+
+def mean_influence(t, e):
+    """The mean of Phi over 0 ... t at e."""
+    ends, value, slope = profile()
+    w = ends - np.asarray(e, dtype=float)[..., None]
+    w = np.where(w == 0.0, 1e-30, w)
+    t = np.asarray(t, dtype=float)[..., None]
+    beside, along = np.arcsinh(t / np.abs(w)), np.arcsinh(w / t)
+    level = w * beside + t * along
+    rise = 0.5 * (w * w * beside + t * np.sqrt(w * w + t * t))
+    at = value + slope * np.asarray(e, dtype=float)[..., None]
+    return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1) / t[..., 0]
+
+
+def map_of(function):
+    """Value and slope of a function of t and e at the nodes, the columns one after the other."""
+    u = np.arange(INFLUENCE_CELLS + 1) / INFLUENCE_CELLS
+    u[0], u[-1] = FIRST / INFLUENCE_CELLS, 1.0 - 1e-6
+    column = np.arange(INFLUENCE_COLUMNS) / INFLUENCE_COLUMNS
+    step = SLOPE_STEP / INFLUENCE_CELLS
+
+    def along(u):
+        u = np.minimum(u, 1.0 - 1e-6)
+        t = u * u / (1.0 - u * u)
+        return function(*np.broadcast_arrays(t[None, :], np.sqrt(column / (1.0 - column))[:, None]))
+
+    value, before, after = along(u), along(u - step), along(u + step)
+    pairs = np.zeros((INFLUENCE_COLUMNS + 1, INFLUENCE_CELLS + 1, 2))       # infinitely far along x: none
+    pairs[:-1, :, 0] = value
+    pairs[:-1, :, 1] = (after - before) / (2.0 * SLOPE_STEP)
+    pairs[:-1, -1, 0] = 0.0
+    pairs[:-1, -1, 1] = (value[:, -1] - before[:, -1]) / SLOPE_STEP
+    return pairs.ravel()
 
 
 @lru_cache(maxsize=1)
 def influence_table():
-    """The table as the kernel reads it (n,): cubics through value and slope at even steps of ln t."""
-    start, stop = RANGE
-    count = round((stop - start) * CELLS_PER_UNIT)
-    value, slope = influence(np.exp(start + np.arange(count + 1) / CELLS_PER_UNIT))
-    slope = slope / CELLS_PER_UNIT
-    rise = np.diff(value)
-    cubics = np.zeros((count + 1, 4))           # the record Cubic
-    cubics[:, 0] = value
-    cubics[:-1, 1] = slope[:-1]
-    cubics[:-1, 2] = 3.0 * rise - 2.0 * slope[:-1] - slope[1:]
-    cubics[:-1, 3] = slope[:-1] + slope[1:] - 2.0 * rise
-    table = np.concatenate([np.zeros(size(InfluenceTable) - OPEN * size(Cubic)), cubics.ravel()])
-    head = InfluenceTable.at(table)
-    head.start, head.cells_per_unit, head.count = start, CELLS_PER_UNIT, count
+    """The table as the kernel reads it (n,): the map of Phi, then that of its means."""
+    table = np.concatenate([map_of(influence), map_of(mean_influence)])
+    if len(table) != 2 * INFLUENCE_MAP:
+        raise TypeError(f"the table of influences has {len(table)} numbers, its record {2 * INFLUENCE_MAP}")
     return table

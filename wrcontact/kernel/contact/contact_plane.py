@@ -43,6 +43,7 @@ def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: floa
     frame.lift = z_track + shift - height
     frame.raised = 0.0
     frame.pressed = False
+    frame.sunk = False
     frame.height = shift
     frame.depth = 0.0
     frame.blur = 0.0

@@ -9,6 +9,7 @@ from ..layout import (
     Place,
     Region,
     Regions,
+    SideSearch,
     State,
     Tables,
 )
@@ -17,6 +18,7 @@ from ..surface.profile_table import height_slope
 from .arc_length import rail_length
 from .contact_plane import open_frame
 from .deep_points import deepest_entry
+from .overlaps import find_overlaps
 from .planes import keep_frame, locate_along_track, use_frame
 from .pressed import pressed_gap
 from .regions import incline_region
@@ -39,6 +41,17 @@ def press_frame(frame: Frame, height: float, depth: float, gap: float):
     frame.pressed = True
     frame.raised = gap
     return 0
+
+
+def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+               penetration: float):
+    """Press the wheel of the open frame, which just touches, straight down until its contact point is
+    ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail."""
+    height = frame.shift + penetration / frame.plane.cos
+    count = find_overlaps(tables, frame, overlap, side, state, height)
+    press_frame(frame, height, penetration, 0.0)
+    frame.sunk = True
+    return count
 
 
 def open_pressed_region(tables: Tables, region: Region, point: DeepPoint):
@@ -72,7 +85,8 @@ def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoin
 def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap,
                     state: State):
     """Open a region for every deepest point on the list, each with its own frame; their number.  The open
-    frame is that of the deepest, whose share of the approach counts as one."""
+    frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
+    point where it just touched."""
     count = overlap.count
     contact = deepest_entry(overlap)
     keep_frame(frame, frames, REGION_LIMIT)
@@ -80,7 +94,7 @@ def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: R
         region = regions[index]
         point = overlap.points[index]
         open_pressed_region(tables, region, point)
-        if index != contact:
+        if index != contact or frame.sunk:
             give_own_frame(tables, frame, region, point)
         start_traces(frame, 0.0, point.rail, point.wheel)
         gap, rate, bend, curvature = pressed_gap(tables, frame, state, 0.0)

@@ -43,19 +43,26 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, side, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
     {
         (*penetration) = estimate__first_penetration(work, tables, state, force);
     }
-    (*count) = INT64_C(1);
+    (*count) = INT64_C(0);
     (*satisfied) = INT64_C(0);
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, side, force, estimate, by_penetration);
+        if (pressed_regions__sink_wheel(work, tables, side, state, estimate) == INT64_C(0))
+        {
+            /* it overlaps most at the end of a profile */
+            (*count) = INT64_C(0);
+            (*satisfied) = INT64_C(0);
+            return 0;
+        }
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, estimate, force, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -67,33 +74,24 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value 1 when the force is satisfied, else 0.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration)
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, int64_t by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(work, tables, state, side, estimate);
+    (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
     analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
     if (((*satisfied) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
-        (*count) = INT64_C(1);
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            deep_points__keep_deepest(work);
-            pressed_regions__gather_overlaps(work, tables, state);
-        }
-        else
-        {
-            regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
-        }
-        estimate__start_penetrations(work, (*count), estimate);
+        deep_points__keep_deepest(work);
+        (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
         analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
     }
     return 0;
 }
 
-/* Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
- * their number.
+/* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
+ * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration)
 {
     int64_t i;
     int64_t count;
@@ -102,18 +100,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    count = INT64_C(1);
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-    {
-        count = pressed_regions__gather_overlaps(work, tables, state);
-    }
-    else
-    {
-        regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
-        count = regions__find_regions(work, tables, side, state, penetration);
-        count = regions__bound_regions(work, tables, state, count, penetration);
-        planes__give_planes(work, tables, state, count);
-    }
+    count = pressed_regions__gather_overlaps(work, tables, state);
     estimate__start_penetrations(work, count, penetration);
     return count;
 }
@@ -127,7 +114,6 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t*
     double enlarge;
     int64_t satisfied;
     int64_t repeat;
-    double laid;
     start = penetration;
     enlarge = 1.0;
     satisfied = INT64_C(0);
@@ -149,13 +135,8 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t*
         {
             enlarge *= analyn_contact__ENLARGED;
             start = penetration;
-            laid = penetration;
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-            {
-                /* nodes stay where the wheel stands; there are only more of them */
-                laid = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-            }
-            estimate__start_penetrations(work, count, laid);
+            /* nodes stay where the wheel stands; there are only more of them */
+            estimate__start_penetrations(work, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
         }
     }
     (*result_0_0001) = penetration;

@@ -22,16 +22,15 @@
 #include "node_patches.h"
 #include "planes.h"
 #include "pressed_regions.h"
-#include "regions.h"
 
 static const double analyn_contact__ESTIMATE_FACTOR = 1.5;
 static const int64_t analyn_contact__ESTIMATE_REPEATS = INT64_C(4);
 static const int64_t analyn_contact__COVER_REPEATS = INT64_C(6);
 static const double analyn_contact__ENLARGED = 1.4;
 
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double penetration);
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration);
 static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration);
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration);
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, int64_t by_penetration);
 static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 

@@ -165,7 +165,7 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        if (depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < regions__MERGE * depth)
+        if (depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth)
         {
             less = entry;
             if ((*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))

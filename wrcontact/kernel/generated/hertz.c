@@ -95,52 +95,6 @@ static inline int64_t hertz__skewed_coefficients(double* result_0, double* resul
     return 0;
 }
 
-/* A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
- *
- * Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows
- * from that of the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
- */
-static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t table, double length, double width, double nr)
-{
-    double target;
-    double before;
-    double missed_before;
-    double ratio;
-    double alpha;
-    double beta;
-    int64_t i;
-    double missed;
-    double slope;
-    target = log(width / length);
-    before = 0.0;
-    missed_before = 0.0;
-    ratio = target / hertz__TYPICAL_SLOPE;
-    alpha = 1.0;
-    beta = 1.0;
-    for (i = INT64_C(0); i < hertz__RATIO_ITERATIONS; i += INT64_C(1))
-    {
-        alpha = hertz__table_value(tables, table, INT64_C(0), ratio);
-        beta = hertz__table_value(tables, table, INT64_C(0), -ratio);
-        missed = ratio + log(beta / alpha) - target;
-        if (fabs(missed) < hertz__RATIO_SHARP)
-        {
-            break;
-        }
-        slope = hertz__TYPICAL_SLOPE;
-        if ((i > INT64_C(0)) && (missed != missed_before))
-        {
-            slope = (missed - missed_before) / (ratio - before);
-        }
-        before = ratio;
-        missed_before = missed;
-        ratio -= missed / slope;
-    }
-    (*share) = hertz__table_value(tables, table, INT64_C(6), ratio) / nr;
-    (*result_0) = (*share) * length / alpha;
-    (*result_1) = (*share) * width / beta;
-    return 0;
-}
-
 /* N / penetration^(3/2) [N/m^1.5].
  *
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's

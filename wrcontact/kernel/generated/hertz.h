@@ -25,14 +25,10 @@
 
 static const double hertz__TILTED = 1e-12;
 static const double hertz__STEEPEST = 0.3;
-static const double hertz__TYPICAL_SLOPE = 1.3;
-static const int64_t hertz__RATIO_ITERATIONS = INT64_C(12);
-static const double hertz__RATIO_SHARP = 1e-10;
 
 static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
 static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t table, double length, double width, double nr);
 static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
 
 #endif

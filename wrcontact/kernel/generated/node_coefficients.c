@@ -133,9 +133,6 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
     alpha_factor = 1.0;
     beta_factor = 1.0;
     nr_factor = 1.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = 1.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) = 1.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) = 1.0;
     if (yawed == INT64_C(1))
     {
         node_coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
@@ -183,8 +180,7 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
 }
 
 /* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
- * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright
- * ellipse that cuts into the same ones.
+ * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.
  */
 static inline int64_t node_coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
 {
@@ -196,11 +192,6 @@ static inline int64_t node_coefficients__skew_factors(double* result_0, double* 
     double skewed_alpha;
     double skewed_beta;
     double skewed_nr;
-    double length;
-    double width;
-    double upright_A;
-    double upright_B;
-    double share;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
     if (B < node_coefficients__FLOOR * A)
@@ -209,15 +200,6 @@ static inline int64_t node_coefficients__skew_factors(double* result_0, double* 
     }
     hertz__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
     hertz__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
-    {
-        length = skewed_alpha * A;
-        width = skewed_beta * B;
-        hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, table, length, width, skewed_nr);
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = upright_A / A;
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) = upright_B / B;
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) = share;
-    }
     (*result_0) = skewed_alpha / alpha;
     (*result_1) = skewed_beta / beta;
     (*result_2) = skewed_nr / nr;

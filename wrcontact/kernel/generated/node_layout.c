@@ -12,18 +12,12 @@
  */
 static inline double node_layout__zone_share(array_double_1d tables, double A, double side)
 {
-    double spread;
     double share;
     if (side < node_coefficients__FLOOR * A)
     {
         side = node_coefficients__FLOOR * A;
     }
-    spread = node_layout__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
-    {
-        spread = node_layout__STRIP_SPREAD;
-    }
-    share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
+    share = node_layout__SPREAD / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
     if ((share > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = node_layout__COVER;

@@ -21,7 +21,6 @@
 static const double node_layout__MEASURED = 0.9;
 static const double node_layout__COVER = 1.1;
 static const double node_layout__SPREAD = 1.25;
-static const double node_layout__STRIP_SPREAD = 3.0;
 static const double node_layout__NARROWEST = 0.01;
 static const double node_layout__WIDEST = 110.0;
 

@@ -4,7 +4,7 @@
  *
  * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
  * point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
- * between them are one region (regions.MERGE).
+ * between them are one region (deep_points.MERGE).
  */
 
 #include "overlaps.h"

@@ -35,6 +35,20 @@ static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, do
     return INT64_C(0);
 }
 
+/* Press the wheel of the open frame, which just touches, straight down until its contact point is
+ * ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail.
+ */
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double penetration)
+{
+    double height;
+    int64_t count;
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    count = overlaps__find_overlaps(work, tables, side, state, height);
+    pressed_regions__press_frame(work, height, penetration, 0.0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
+    return count;
+}
+
 /* Start a region at a deepest point, inclined as the rail there. */
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point)
 {
@@ -80,7 +94,8 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
 }
 
 /* Open a region for every deepest point on the list, each with its own frame; their number.  The open
- * frame is that of the deepest, whose share of the approach counts as one.
+ * frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
+ * point where it just touched.
  */
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state)
 {
@@ -103,7 +118,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         pressed_regions__open_pressed_region(work, tables, region, point);
-        if (index != contact)
+        if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
             pressed_regions__give_own_frame(work, tables, region, point);
         }

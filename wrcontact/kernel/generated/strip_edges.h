@@ -1,6 +1,6 @@
 /* Generated from normal/strip_edges.py by tools/transpile_kernel.py; change that one.
  *
- * Edges of the patches that loaded strips form, and strips that are cut at them between two sweeps.
+ * Edges of the patches that loaded strips form.
  *
  * Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
  * straight line through the line loads of the last two strips ends.
@@ -11,13 +11,8 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "strip_influence.h"
-#include "strip_surfaces.h"
 
 static inline int64_t strip_edges__run_end(array_double_1d work, int64_t count, int64_t first);
 static inline double strip_edges__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
-static inline int64_t strip_edges__move_strip(array_double_1d work, int64_t i, double start, double stop);
-static inline int64_t strip_edges__fit_edge(array_double_1d work, int64_t last, double edge, int64_t outward);
-static inline int64_t strip_edges__fit_edges(array_double_1d work);
 
 #endif

@@ -1,127 +1,229 @@
 /* Generated from normal/strip_influence.py by tools/transpile_kernel.py; change that one.
  *
- * How strips displace each other's middle lines: Phi of eq. (S2), with the mean over the width close by, eq.
- * (S4).
+ * How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4).
  */
 
 #include "strip_influence.h"
 
-/* Logarithms of the distances between strip ``i`` and the first ``others``.
- *
- * The lead of one region over another along the track counts as distance (interaction.region_lead).
- */
-static inline int64_t strip_influence__measure_distances(array_double_1d work, int64_t i, int64_t others)
+/* The cubic between two values with their slopes, at 0 <= ``x`` <= 1. */
+static inline double strip_influence__cubic_through_slopes(double low, double low_slope, double high, double high_slope, double x)
+{
+    double rise;
+    double rest;
+    rise = high - low;
+    rest = 1.0 - x;
+    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)));
+}
+
+/* Phi, or its mean, at x = 0 and ``u`` = sqrt(t / (1 + t)); the map begins at number ``first``. */
+static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u)
+{
+    double place;
+    int64_t cell;
+    int64_t at;
+    double result;
+    place = u * (double)(layout__INFLUENCE_CELLS);
+    cell = (int64_t)(place);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    at = first + INT64_C(2) * cell;
+    result = strip_influence__cubic_through_slopes((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), place - (double)(cell));
+    return result;
+}
+
+/* The same at x / half-length with this ``square``. */
+static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double square)
+{
+    double place;
+    int64_t cell;
+    double along;
+    int64_t column;
+    double share;
+    int64_t at;
+    int64_t to;
+    double low;
+    double low_slope;
+    double high;
+    double high_slope;
+    place = u * (double)(layout__INFLUENCE_CELLS);
+    cell = (int64_t)(place);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    along = square / (1.0 + square) * (double)(layout__INFLUENCE_COLUMNS);
+    column = (int64_t)(along);
+    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
+    {
+        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
+    }
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+    to = at + layout__INFLUENCE_COLUMN;
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
+    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))));
+    return strip_influence__cubic_through_slopes(low, low_slope, high, high_slope, place - (double)(cell));
+}
+
+/* sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``. */
+static inline double strip_influence__nearness(double distance, double half_length)
+{
+    return sqrt(distance / (distance + half_length));
+}
+
+/* The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]. */
+static inline double strip_influence__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double square)
+{
+    double half;
+    double near;
+    double far;
+    double inner;
+    double outer;
+    double result;
+    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    near = distance - half;
+    if (near < 0.0)
+    {
+        near = 0.0;
+    }
+    far = distance + half;
+    inner = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, strip_influence__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), square);
+    outer = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, strip_influence__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), square);
+    result = (far * outer - near * inner) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    return result;
+}
+
+/* Phi of the strips ``first`` ... ``last`` - 1 at the middle of strip ``i``, and how near they are. */
+static inline int64_t strip_influence__fill_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
+{
+    int64_t strip;
+    double x;
+    int64_t j;
+    int64_t other;
+    double u;
+    double apart;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
+    for (j = first; j < last; j += INT64_C(1))
+    {
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        u = strip_influence__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+        (*cspan_at(&work, near + j)) = u;
+        apart = (x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+        (*cspan_at(&work, row + j)) = strip_influence__influence_at(tables, table, INT64_C(0), u, apart * apart);
+    }
+    return INT64_C(0);
+}
+
+/* ``fill_row`` without yaw: all middles lie on one line. */
+static inline int64_t strip_influence__fill_straight_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
 {
     int64_t strip;
     int64_t j;
     int64_t other;
-    double apart;
-    double lead;
-    double distance;
+    double u;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    for (j = INT64_C(0); j < others; j += INT64_C(1))
+    for (j = first; j < last; j += INT64_C(1))
     {
-        if (j != i)
-        {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            apart = fabs((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, other + layout__STRIP_STATION)));
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))))
-            {
-                lead = interaction__region_lead(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))));
-                apart = sqrt(apart * apart + lead * lead);
-            }
-            distance = log(apart);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance;
-        }
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        u = strip_influence__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+        (*cspan_at(&work, near + j)) = u;
+        (*cspan_at(&work, row + j)) = strip_influence__middle_influence(tables, table, INT64_C(0), u);
     }
     return INT64_C(0);
 }
 
-/* Phi of eq. (S2) at ``abscissa`` = ln(distance / half-length); at the table's end beyond it. */
-static inline double strip_influence__line_influence(array_double_1d tables, int64_t table, double abscissa)
-{
-    double u;
-    int64_t cell;
-    int64_t cubic;
-    double result;
-    u = (abscissa - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_START))) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_CELLS_PER_UNIT));
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_COUNT)))
-    {
-        u = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_COUNT));
-    }
-    cell = (int64_t)(u);
-    u -= (double)(cell);
-    cubic = table + layout__INFLUENCE_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    result = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + u * ((*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + u * ((*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + u * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
-    return result;
-}
-
-/* What the mean of Phi over a strip's width exceeds its middle value by, eq. (S4); ``share`` is
- * half-width over distance.
- *
- * The series of 2 - [(1 + share) ln(1 + share) - (1 - share) ln(1 - share)] / share, up to the eighth power.
+/* F_ij of all pairs: displacement of the middle of i for y_j = 1, along the normal of i; eqs. (S2),
+ * (S4).
  */
-static inline double strip_influence__near_share(double share)
-{
-    double square;
-    double rest;
-    square = share * share;
-    rest = 1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0);
-    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest));
-}
-
-/* F_ij of all pairs: displacement of middle line i for y_j = 1; eqs. (S2), (S4). */
-static inline int64_t strip_influence__fill_influences(array_double_1d tables, array_double_1d work, int64_t table)
+static inline int64_t strip_influence__fill_influences(array_double_1d tables, array_double_1d work, int64_t table, int64_t yawed)
 {
     int64_t count;
     int64_t i;
+    int64_t strip;
     int64_t row;
-    int64_t distances;
+    int64_t near;
     int64_t j;
+    int64_t other;
+    double apart;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        distances = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+        if (yawed == INT64_C(1))
+        {
+            strip_influence__fill_row(tables, work, table, i, INT64_C(0), i, near, row);
+            strip_influence__fill_row(tables, work, table, i, i + INT64_C(1), count, near, row);
+        }
+        else
+        {
+            strip_influence__fill_straight_row(tables, work, table, i, INT64_C(0), i, near, row);
+            strip_influence__fill_straight_row(tables, work, table, i, i + INT64_C(1), count, near, row);
+        }
+        for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+        {
+            if ((j >= INT64_C(0)) && (j < count))
+            {
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                apart = ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                (*cspan_at(&work, row + j)) = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), apart * apart);
+            }
+        }
+        (*cspan_at(&work, near + i)) = strip_influence__nearness(0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH)), (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+        (*cspan_at(&work, row + i)) = strip_influence__middle_influence(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)));
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            if (j != i)
-            {
-                (*cspan_at(&work, row + j)) = strip_influence__line_influence(tables, table, (*cspan_at(&work, distances + j)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)));
-            }
+            (*cspan_at(&work, row + j)) *= (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN));
         }
-        for (j = i - INT64_C(2); j < i + INT64_C(3); j += INT64_C(1))
-        {
-            if ((j >= INT64_C(0)) && (j < count) && (j != i))
-            {
-                (*cspan_at(&work, row + j)) += strip_influence__near_share(0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH)) / fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION))));
-            }
-        }
-        (*cspan_at(&work, row + i)) = 2.0 * log(8.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
     }
-    strip_influence__turn_influences(work, count);
     return INT64_C(0);
 }
 
-/* Multiply the influence between two strips by the cosine of the angle between their normals. */
-static inline int64_t strip_influence__turn_influences(array_double_1d work, int64_t count)
+/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
+static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
 {
-    int64_t i;
+    int64_t strip;
+    int64_t near;
+    double x;
+    int64_t j_end;
     int64_t j;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t other;
+    double apart;
+    double square;
+    double influence;
+    double total;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    total = 0.0;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            if (j != i)
+            apart = (x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+            square = apart * apart;
+            if (j == i)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) *= (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN));
+                influence = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), square);
             }
+            else if ((j == i - INT64_C(1)) || (j == i + INT64_C(1)))
+            {
+                influence = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), square);
+            }
+            else
+            {
+                influence = strip_influence__influence_at(tables, table, INT64_C(0), (*cspan_at(&work, near + j)), square);
+            }
+            total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
         }
     }
-    return INT64_C(0);
+    return total;
 }

@@ -1,20 +1,22 @@
 /* Generated from normal/strip_influence.py by tools/transpile_kernel.py; change that one.
  *
- * How strips displace each other's middle lines: Phi of eq. (S2), with the mean over the width close by, eq.
- * (S4).
+ * How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4).
  */
 
 #ifndef WRCONTACT_KERNEL_STRIP_INFLUENCE_H
 #define WRCONTACT_KERNEL_STRIP_INFLUENCE_H
 
 #include "../native/spans.h"
-#include "interaction.h"
 #include "layout.h"
 
-static inline int64_t strip_influence__measure_distances(array_double_1d work, int64_t i, int64_t others);
-static inline double strip_influence__line_influence(array_double_1d tables, int64_t table, double abscissa);
-static inline double strip_influence__near_share(double share);
-static inline int64_t strip_influence__turn_influences(array_double_1d work, int64_t count);
-static inline int64_t strip_influence__fill_influences(array_double_1d tables, array_double_1d work, int64_t table);
+static inline double strip_influence__cubic_through_slopes(double low, double low_slope, double high, double high_slope, double x);
+static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
+static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double square);
+static inline double strip_influence__nearness(double distance, double half_length);
+static inline double strip_influence__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double square);
+static inline int64_t strip_influence__fill_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
+static inline int64_t strip_influence__fill_straight_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
+static inline int64_t strip_influence__fill_influences(array_double_1d tables, array_double_1d work, int64_t table, int64_t yawed);
+static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 
 #endif

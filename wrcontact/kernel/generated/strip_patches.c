@@ -5,52 +5,26 @@
 
 #include "strip_patches.h"
 
-/* Fill the solved patches from the runs of loaded strips. */
-static inline int64_t strip_patches__fill_from_strips(array_double_1d work)
+/* Fill the solved patches from the runs of loaded strips, which lie in ``count`` regions. */
+static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t count)
 {
     int64_t index;
-    int64_t count;
     int64_t first;
     int64_t last;
-    double start;
-    double stop;
-    int64_t region;
-    int64_t patch;
-    int64_t i;
-    double load;
-    double pressure;
-    for (index = INT64_C(0); index < layout__REGION_LIMIT; index += INT64_C(1))
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_MOMENT)) = 0.0;
+        strip_patches__load_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
     }
+    strip_patches__add_stiffness(work, tables, count);
     filling__clear_patches(work);
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     first = INT64_C(0);
-    while((first < count) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
+    while((first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
     {
         last = first;
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
         {
-            last = strip_edges__run_end(work, count, first);
-            start = strip_edges__run_edge(work, count, first, last, -INT64_C(1));
-            stop = strip_edges__run_edge(work, count, last, first, INT64_C(1));
-            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-            index = filling__begin_patch(work, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
-            patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-            for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-            {
-                strip_patches__add_strip(work, patch, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
-                load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-                filling__add_part(work, index, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
-            }
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = strip_patches__run_area(work, first, last, start, stop);
-            pressure = strip_patches__largest_pressure(work, first, last);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
-            filling__finish_patch(work);
+            last = strip_edges__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
+            strip_patches__fill_run(work, first, last);
         }
         first = last + INT64_C(1);
     }
@@ -58,22 +32,172 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work)
     return INT64_C(0);
 }
 
-/* Add a strip of ``region`` to a patch, as the solved strip ``to``, and its load to the region. */
-static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t patch, int64_t region, int64_t strip, int64_t to)
+/* Fill the next patch from the loaded strips ``first`` ... ``last``. */
+static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t first, int64_t last)
+{
+    double start;
+    double stop;
+    int64_t region;
+    int64_t index;
+    int64_t patch;
+    int64_t i;
+    double load;
+    double pressure;
+    start = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
+    stop = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
+    index = filling__begin_patch(work, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
+    patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
+    {
+        strip_patches__add_strip(work, patch, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
+        load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        filling__add_part(work, index, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+    }
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = strip_patches__run_area(work, first, last, start, stop);
+    pressure = strip_patches__largest_pressure(work, first, last);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
+    filling__finish_patch(work);
+    return INT64_C(0);
+}
+
+/* Add a strip to a patch, as the solved strip ``to``. */
+static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t patch, int64_t strip, int64_t to)
 {
     double load;
     load = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) += load;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) += load * (*cspan_at(&work, strip + layout__STRIP_STATION));
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) += load;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) += load * (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work, strip + layout__STRIP_CURVATURE));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, strip + layout__STRIP_A));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+    return INT64_C(0);
+}
+
+/* What the strips of the region with number ``index`` carry: load, moment, the mean direction of the
+ * force, and the slant of the line through their middles.
+ */
+static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index)
+{
+    double load;
+    double moment;
+    double cosines;
+    double sines;
+    double x;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double own;
+    load = 0.0;
+    moment = 0.0;
+    cosines = 0.0;
+    sines = 0.0;
+    x = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        {
+            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            load += own;
+            moment += own * (*cspan_at(&work, strip + layout__STRIP_STATION));
+            cosines += own * (*cspan_at(&work, strip + layout__STRIP_COS));
+            sines += own * (*cspan_at(&work, strip + layout__STRIP_SIN));
+            x += own * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
+        }
+    }
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = moment;
+    (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
+    if (load > 0.0)
+    {
+        (*cspan_at(&work, region + layout__REGION_COS)) = cosines / load;
+        (*cspan_at(&work, region + layout__REGION_SIN)) = sines / load;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        {
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+        }
+        strip_patches__slant_region(work, region, index, moment / load, x / load);
+    }
+    return INT64_C(0);
+}
+
+/* Slant of the line through the middles of a region's strips, whose load has its centre at ``station``
+ * and ``x`` [m].
+ */
+static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x)
+{
+    double along;
+    double spread;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double own;
+    double away;
+    along = 0.0;
+    spread = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        {
+            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
+            along += own * away * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x);
+            spread += own * away * away;
+        }
+    }
+    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * (*cspan_at(&work, region + layout__REGION_CARRIED)))
+    {
+        (*cspan_at(&work, region + layout__REGION_SLANT)) = along / spread;
+    }
+    return INT64_C(0);
+}
+
+/* How the load of each region follows the penetration [N/m], from the last equations that were
+ * solved.
+ */
+static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count)
+{
+    int64_t index;
+    double scale;
+    int64_t size;
+    int64_t i_end;
+    int64_t i;
+    int64_t rank;
+    int64_t row;
+    int64_t strip;
+    int64_t region;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+    }
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    size = INT64_C(0);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        {
+            size += INT64_C(1);
+        }
+    }
+    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) += scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, row + size));
+    }
     return INT64_C(0);
 }
 

@@ -85,14 +85,14 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, int
         {
             (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)))));
         }
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
         (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
 
-/* Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j y_j, by each
- * region's share.
+/* Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j y_j, as far
+ * as it counts.
  */
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force)
 {
@@ -109,8 +109,7 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        /* what of it counts for the prescribed force */
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE));
+        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
         unit_load += half * (*cspan_at(&work, row + size));
         rest_load += half * (*cspan_at(&work, row + (size + INT64_C(1))));
     }
@@ -169,7 +168,7 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
             }
             else
             {
-                pushed = ((*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) - strip_pressures__TOUCH) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
+                pushed = ((*cspan_at(&work, strip + layout__STRIP_SHARE)) - strip_pressures__TOUCH) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
                 row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {

@@ -1,187 +1,268 @@
 /* Generated from normal/strip_surfaces.py by tools/transpile_kernel.py; change that one.
  *
- * What the surfaces are at each strip: gap, curvature, and ANALYN's half-length and coefficients, read from
- * the region's nodes.
+ * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track.
  */
 
 #include "strip_surfaces.h"
 
-/* The node before the middle of a strip, and the share of the way from there to the next node. */
-static inline int64_t strip_surfaces__node_cell(int64_t* k, double* result_1, array_double_1d work, int64_t strip, int64_t region)
+/* Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions. */
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count)
 {
-    double u;
-    u = ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
-    if ((*k) > (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1))
+    int64_t index;
+    int64_t region;
+    int64_t started;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        (*k) = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1);
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        planes__enter_plane(work, region, index);
+        started = INT64_C(0);
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+            {
+                if (started == INT64_C(0))
+                {
+                    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+                    curves__open_origin(work, tables, region, 0.0);
+                    started = INT64_C(1);
+                }
+                strip_surfaces__trace_strip(work, tables, state, region, strip);
+            }
+        }
+        planes__leave_plane(work, region);
     }
-    if ((*k) < (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
-    {
-        (*k) = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
-    }
-    (*result_1) = u - (double)((*k));
-    return 0;
-}
-
-/* Gap and curvature of a strip at the share ``x`` of the way from node ``k`` to the next one.
- *
- * Under yaw the patch is tilted; the strips are those of the upright ellipse with the same half-length,
- * half-width and pressure (hertz.upright_coefficients).
- */
-static inline int64_t strip_surfaces__read_surfaces(array_double_1d work, int64_t strip, int64_t region, int64_t nodes, int64_t k, double x)
-{
-    double gap;
-    double A;
-    gap = cubic__cubic_through((*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k - INT64_C(1)))), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(1)))), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(2)))), x);
-    if (gap < 0.0)
-    {
-        /* next to a sudden rise the cubic falls below the region's smallest gap */
-        gap = 0.0;
-    }
-    A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k)) + x * ((*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k)));
-    (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_GAP)) + gap * (*cspan_at(&work, region + layout__REGION_UPRIGHT_B));
-    (*cspan_at(&work, strip + layout__STRIP_A)) = A * (*cspan_at(&work, region + layout__REGION_UPRIGHT_A));
-    (*cspan_at(&work, strip + layout__STRIP_CURVATURE)) = 2.0 * A;
-    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
     return INT64_C(0);
 }
 
-/* Inclination of the rail at every strip of a pressed wheel; of another one, that of its plane. */
+/* The surfaces at a strip of ``region``, whose frame is open. */
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
+{
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    double height;
+    double slope;
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
+    (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -contact_plane__NO_GAP;
+    if (gap < contact_plane__NO_GAP)
+    {
+        (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
+        (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
+    }
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
+    (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+    (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
+    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    if (contact_plane__is_yawed(work) == INT64_C(1))
+    {
+        (*cspan_at(&work, strip + layout__STRIP_X)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
+    }
+    return INT64_C(0);
+}
+
+/* Places and breadths of the strips on the curve between wheel and rail, in the middle of the overlap.
+ *
+ * Where the rail bulges, that is shorter than the rail by half the overlap times its curvature; and it is
+ * inclined by half of what the overlap rises.
+ */
+static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count)
+{
+    double stretch;
+    int64_t i;
+    int64_t strip;
+    int64_t before;
+    int64_t after;
+    double turned;
+    double reach;
+    double last;
+    stretch = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        before = i;
+        after = i;
+        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
+        {
+            before = i - INT64_C(1);
+        }
+        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_JOINED)) == 1.0))
+        {
+            after = i + INT64_C(1);
+        }
+        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN));
+        reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
+        last = stretch;
+        stretch = 1.0;
+        if ((reach > 0.0) && ((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > 0.0))
+        {
+            stretch = 1.0 - 0.5 * (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) * turned / reach;
+        }
+        (*cspan_at(&work, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch;
+        (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
+        if (i > INT64_C(0))
+        {
+            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION))) * 0.5 * (last + stretch);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Turn the strips to the mean of the normals of wheel and rail; what of penetration and load counts, and
+ * the gap where nothing penetrates, for strips laid at the problem's penetration.
+ */
 static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables)
 {
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    int64_t region;
-    double abscissa;
-    double height;
-    double slope;
+    double half;
+    double scale;
+    double cosine;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+        half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_RISE));
+        scale = 1.0 / sqrt(1.0 + half * half);
+        (*cspan_at(&work, strip + layout__STRIP_SHARE)) = (*cspan_at(&work, strip + layout__STRIP_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        cosine = ((*cspan_at(&work, strip + layout__STRIP_COS)) - half * (*cspan_at(&work, strip + layout__STRIP_SIN))) * scale;
+        (*cspan_at(&work, strip + layout__STRIP_SIN)) = ((*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work, strip + layout__STRIP_COS))) * scale;
+        (*cspan_at(&work, strip + layout__STRIP_COS)) = cosine;
+        (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
-            (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
-        }
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-            (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-            (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = cosine;
         }
     }
     return INT64_C(0);
 }
 
-/* Gap, curvature, and ANALYN's half-length and load of every placed strip. */
-static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
+/* Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond. */
+static inline double strip_surfaces__profile_within(array_double_1d tables, double y)
 {
-    int64_t count;
-    double longest;
-    int64_t i;
-    int64_t strip;
-    int64_t region;
-    int64_t own;
-    int64_t k;
-    double x;
-    double line;
-    double length;
-    double level;
-    int64_t loaded;
-    double square;
-    double below;
-    double inside;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    longest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t wheel;
+    double slope;
+    double z;
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        own = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        strip_surfaces__node_cell(&k, &x, work, strip, region);
-        strip_surfaces__read_surfaces(work, strip, region, own, k, x);
-        line = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)));
-        length = (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)));
-        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k))));
-        (*cspan_at(&work, strip + layout__STRIP_LOAD_PER_SQUARE)) = line * length;
-        loaded = INT64_C(0);
-        square = 0.0;
-        if (level > 0.0)
-        {
-            loaded = INT64_C(1);
-            square = level / length;
-        }
-        below = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below *= (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
-        inside = strip_surfaces__INSIDE * strip_surfaces__INSIDE * below / length;
-        if (inside > square)
-        {
-            square = inside;
-        }
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(loaded);
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(square);
-        if ((loaded == INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) > longest))
-        {
-            longest = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        }
+        y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
     }
-    strip_surfaces__limit_lengths(work, count, longest);
-    strip_surfaces__load_one(work, count);
-    return INT64_C(0);
+    if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
+    {
+        y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+    }
+    profile_table__height_slope(&z, &slope, tables, wheel, y);
+    return z;
 }
 
-/* Raise half-lengths to their smallest, eq. (S9), where the longest of a loaded strip is ``longest`` [m];
- * their logarithms.
+/* A and skew of the gap beside a yawed wheel's ridge, which at a distance ``away`` along x are those of
+ * the wheel there.
+ *
+ * Along x a yawed wheel shows other parts of its profile, to either side of the ridge's.
  */
-static inline int64_t strip_surfaces__limit_lengths(array_double_1d work, int64_t count, double longest)
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_double_1d tables, int64_t place, int64_t strip, double away)
 {
-    int64_t i;
-    int64_t strip;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double across;
+    double z;
+    double slope;
+    double bend;
+    double before;
+    double after;
+    double mean;
+    double odd;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SHORTEST * longest)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SHORTEST * longest;
-        }
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)))
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        }
-        (*cspan_at(&work, strip + layout__STRIP_LOG_HALF_LENGTH)) = log((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+        across = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+        profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
+        before = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
+        after = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
+        mean = (before + after - 2.0 * z) / (across * across);
+        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
+        odd = 0.5 * (after - before) - slope * across;
+        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
     }
     return INT64_C(0);
 }
 
-/* Load the strip with the smallest gap if ANALYN loads none. */
-static inline int64_t strip_surfaces__load_one(array_double_1d work, int64_t count)
+/* Half-lengths of the strips from their overlaps alone. */
+static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count)
 {
-    int64_t smallest;
-    int64_t found;
+    double deepest;
     int64_t i;
-    smallest = INT64_C(0);
-    found = INT64_C(0);
+    int64_t strip;
+    double overlap;
+    deepest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP)) > deepest)
         {
-            found = INT64_C(1);
-        }
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
-        {
-            smallest = i;
+            deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
         }
     }
-    if (found == INT64_C(0))
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+        if (overlap < strip_surfaces__LEAST_OVERLAP * deepest)
+        {
+            overlap = strip_surfaces__LEAST_OVERLAP * deepest;
+        }
+        if (contact_plane__is_yawed(work) == INT64_C(1))
+        {
+            strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+        }
+        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(strip_surfaces__FIRST_SQUARE * overlap / (*cspan_at(&work, strip + layout__STRIP_A)));
+        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > strip_surfaces__FIRST_LOADED * deepest);
+    }
+    strip_lengths__limit_lengths(work, count);
+    return INT64_C(0);
+}
+
+/* Half-lengths and leads of the strips from the layout before. */
+static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    strip_layout__length_before(work);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if (contact_plane__is_yawed(work) == INT64_C(1))
+        {
+            strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+        }
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
+    }
+    strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    return INT64_C(0);
+}
+
+/* The gap in the middle of every strip where nothing penetrates. */
+static inline int64_t strip_surfaces__set_gaps(array_double_1d work)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
     }
     return INT64_C(0);
 }

@@ -1,27 +1,37 @@
 /* Generated from normal/strip_surfaces.py by tools/transpile_kernel.py; change that one.
  *
- * What the surfaces are at each strip: gap, curvature, and ANALYN's half-length and coefficients, read from
- * the region's nodes.
+ * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track.
  */
 
 #ifndef WRCONTACT_KERNEL_STRIP_SURFACES_H
 #define WRCONTACT_KERNEL_STRIP_SURFACES_H
 
 #include "../native/spans.h"
-#include "arc_length.h"
-#include "cubic.h"
+#include "contact_plane.h"
+#include "curves.h"
 #include "layout.h"
+#include "locus.h"
+#include "longitudinal_curvature.h"
+#include "planes.h"
 #include "profile_table.h"
+#include "separation.h"
+#include "strip_layout.h"
+#include "strip_lengths.h"
+#include "traces.h"
 
-static const double strip_surfaces__SHORTEST = 0.1;
-static const double strip_surfaces__INSIDE = 0.3;
-static const double strip_surfaces__SQUARE = 0.5;
+static const double strip_surfaces__STRIP_TRACE = 1e-09;
+static const double strip_surfaces__FIRST_SQUARE = 0.5;
+static const double strip_surfaces__LEAST_OVERLAP = 0.05;
+static const double strip_surfaces__FIRST_LOADED = 0.3;
 
-static inline int64_t strip_surfaces__node_cell(int64_t* k, double* result_1, array_double_1d work, int64_t strip, int64_t region);
-static inline int64_t strip_surfaces__read_surfaces(array_double_1d work, int64_t strip, int64_t region, int64_t nodes, int64_t k, double x);
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count);
+static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count);
 static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables);
-static inline int64_t strip_surfaces__limit_lengths(array_double_1d work, int64_t count, double longest);
-static inline int64_t strip_surfaces__load_one(array_double_1d work, int64_t count);
-static inline int64_t strip_surfaces__describe_strips(array_double_1d work);
+static inline double strip_surfaces__profile_within(array_double_1d tables, double y);
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_double_1d tables, int64_t place, int64_t strip, double away);
+static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count);
+static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables);
+static inline int64_t strip_surfaces__set_gaps(array_double_1d work);
 
 #endif

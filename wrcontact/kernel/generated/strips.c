@@ -1,48 +1,71 @@
 /* Generated from normal/strips.py by tools/transpile_kernel.py; change that one.
  *
- * The strip correction: ANALYN's patch, corrected by the elastic half-space (docs/method.md, section 9).
+ * The strip model: strips of the rail that press on each other through the elastic half-space
+ * (docs/method.md, section 9).
  *
- * The strips of ANALYN do not feel each other: the displacement of each is that of a Hertz ellipse with its own
- * curvatures.  Here the same strips, each with a pressure p sqrt(1 - (x/a)^2) along the track, press on one
- * half-space, eq. (S1):
+ * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
+ * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One round of
  *
- * 1. place the strips over ANALYN's zone (strip_placement), and read gap and curvature there (strip_surfaces),
- * 2. solve sum_j F_ij y_j = penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
- *    (strip_pressures).  F_ij is how a strip j of half-length a_j displaces the middle line of strip i, eqs.
- *    (S2) and (S4) (strip_influence),
- * 3. correct every half-length by what the middle line's curvature along the track demands at its line load,
- *    eqs. (S6)-(S9) (strip_lengths), and cut the outermost strips at the edges of the patch (strip_edges).
+ * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
+ *    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
+ *    (strip_influence),
+ * 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
+ *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
  *
- * One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, strips lose their load or are
- * loaded.
+ * is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
+ * found.
  */
 
 #include "strips.h"
 
-/* Correct the described strips in sweeps, under ``force`` [N], or at ANALYN's penetration where
- * ``by_penetration``.
+/* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
+static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+{
+    strip_layout__divide_cells(work, count, wanted);
+    strip_surfaces__trace_strips(work, tables, state, count);
+    strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    strip_surfaces__incline_strips(work, tables);
+    return INT64_C(0);
+}
+
+/* The strips of ``count`` regions, whose zones are known, under ``force`` [N], or at the problem's
+ * penetration where ``by_penetration``.
  *
  * Returns the penetration [m], and 1 if every sweep found its pressures, else 0.
  */
-static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, int64_t by_penetration)
+static inline int64_t strips__solve_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
 {
-    int64_t i_end;
-    int64_t i;
+    int64_t wanted;
+    wanted = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)));
+    strip_layout__zone_cells(work, count);
+    strips__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)(wanted) + 0.5));
+    strip_surfaces__first_lengths(work, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    strips__sweep_strips(penetration, found, work, tables, state, strips__FIRST_SWEEPS, strip_lengths__FIRST_POWER, force, by_penetration);
+    if ((*found) == INT64_C(1))
+    {
+        strip_lengths__adopt_lengths(work);
+        strip_layout__strip_cells(work);
+        strips__lay_strips(work, tables, state, count, wanted);
+        strip_surfaces__lengths_before(work, tables);
+        strips__sweep_strips(penetration, found, work, tables, state, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), strip_lengths__POWER, force, by_penetration);
+    }
+    return 0;
+}
+
+/* So many ``sweeps`` over the strips as they lie; penetration [m], and 1 if found, else 0. */
+static inline int64_t strips__sweep_strips(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t sweeps, double power, double force, int64_t by_penetration)
+{
+    int64_t yawed;
     double penetration;
     int64_t found;
-    int64_t sweep_end;
     int64_t sweep;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip_influence__measure_distances(work, i, i);
-    }
+    yawed = contact_plane__is_yawed(work);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);
-    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
-    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
-        strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))));
+        strip_surfaces__set_gaps(work);
+        strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         strip_pressures__solve_pressures(&penetration, &found, work, tables, state, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
         if (found == INT64_C(0))
         {
@@ -50,11 +73,10 @@ static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1, 
             (*result_1) = found;
             return 0;
         }
-        strip_lengths__correct_lengths(work, tables);
-        if (sweep < (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
+        strip_lengths__correct_lengths(work, tables, penetration, power, yawed);
+        if (sweep < sweeps - INT64_C(1))
         {
             strip_lengths__adopt_lengths(work);
-            strip_edges__fit_edges(work);
         }
     }
     (*result_0) = penetration;

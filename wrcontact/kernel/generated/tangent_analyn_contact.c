@@ -26,6 +26,7 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
     int64_t repeat;
     double estimate_t;
     double estimate;
+    int64_t n2;
     by_penetration = INT64_C(0);
     (*penetration_t) = prescribed_t;
     (*penetration) = prescribed;
@@ -35,7 +36,7 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), by_penetration);
+        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
@@ -44,13 +45,20 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
         (*penetration_t) = v1_t;
         (*penetration) = v1;
     }
-    (*count) = INT64_C(1);
+    (*count) = INT64_C(0);
     (*satisfied) = INT64_C(0);
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate_t = (*penetration_t);
         estimate = (*penetration);
-        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, estimate, estimate_t, by_penetration);
+        n2 = tangent_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+        if (n2 == INT64_C(0))
+        {
+            (*count) = INT64_C(0);
+            (*satisfied) = INT64_C(0);
+            return 0;
+        }
+        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, estimate, estimate_t, force, force_t, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -60,37 +68,28 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
 }
 
 /* Tangent of ``solve_estimated``. */
-static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double estimate, double estimate_t, int64_t by_penetration)
+static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double estimate, double estimate_t, double force, double force_t, int64_t by_penetration)
 {
     int64_t n1;
-    n1 = tangent_analyn_contact__gather_regions_t(work, work_t, tables, state, side, estimate, estimate_t);
+    int64_t n2;
+    n1 = tangent_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
     (*count) = n1;
     tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
     if (((*satisfied) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
-        (*count) = INT64_C(1);
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            tangent_deep_points__keep_deepest_t(work, work_t);
-            tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
-        }
-        else
-        {
-            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
-        }
-        tangent_estimate__start_penetrations_t(work, work_t, (*count), estimate, estimate_t);
+        tangent_deep_points__keep_deepest_t(work, work_t);
+        n2 = tangent_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
+        (*count) = n2;
         tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }
     return 0;
 }
 
 /* Tangent of ``gather_regions``. */
-static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double penetration, double penetration_t)
+static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double penetration, double penetration_t)
 {
     int64_t i;
     int64_t n1;
-    int64_t n2;
-    int64_t n3;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
@@ -99,21 +98,8 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d w
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    count = INT64_C(1);
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-    {
-        n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
-        count = n1;
-    }
-    else
-    {
-        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
-        n2 = tangent_regions__find_regions_t(work, work_t, tables, side, state, penetration, penetration_t);
-        count = n2;
-        n3 = tangent_regions__bound_regions_t(work, work_t, tables, state, count, penetration, penetration_t);
-        count = n3;
-        tangent_planes__give_planes_t(work, work_t, tables, state, count);
-    }
+    n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
+    count = n1;
     tangent_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
@@ -126,8 +112,6 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
     double enlarge;
     int64_t satisfied;
     int64_t repeat;
-    double laid_t;
-    double laid;
     start_t = penetration_t;
     start = penetration;
     enlarge = 1.0;
@@ -152,14 +136,7 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
             enlarge = enlarge * analyn_contact__ENLARGED;
             start_t = penetration_t;
             start = penetration;
-            laid_t = penetration_t;
-            laid = penetration;
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-            {
-                laid_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-                laid = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-            }
-            tangent_estimate__start_penetrations_t(work, work_t, count, laid, laid_t);
+            tangent_estimate__start_penetrations_t(work, work_t, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
         }
     }
     (*result_0_0001) = penetration;

@@ -224,12 +224,6 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
     beta_factor = 1.0;
     nr_factor_t = 0.0;
     nr_factor = 1.0;
-    (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_A)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = 1.0;
-    (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_B)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) = 1.0;
-    (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) = 1.0;
     if (yawed == INT64_C(1))
     {
         tangent_node_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
@@ -305,7 +299,7 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
 }
 
 /* Tangent of ``skew_factors``. */
-static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
+static inline int64_t tangent_node_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
 {
     int64_t table;
     double v1;
@@ -323,18 +317,6 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
     double skewed_beta_t;
     double skewed_nr;
     double skewed_nr_t;
-    double length_t;
-    double length;
-    double width_t;
-    double width;
-    double upright_A;
-    double upright_A_t;
-    double upright_B;
-    double upright_B_t;
-    double share;
-    double share_t;
-    double v2;
-    double v3;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     B_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
@@ -346,27 +328,11 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
     }
     tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     tangent_hertz__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
-    {
-        length_t = skewed_alpha_t * A + skewed_alpha * A_t;
-        length = skewed_alpha * A;
-        width_t = skewed_beta_t * B + skewed_beta * B_t;
-        width = skewed_beta * B;
-        tangent_hertz__upright_rule_t(&upright_A, &upright_A_t, &upright_B, &upright_B_t, &share, &share_t, tables, table, length, length_t, width, width_t, skewed_nr, skewed_nr_t);
-        v2 = upright_A / A;
-        (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_A)) = (upright_A_t - v2 * A_t) / A;
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = v2;
-        v3 = upright_B / B;
-        (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_B)) = (upright_B_t - v3 * B_t) / B;
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) = v3;
-        (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) = share_t;
-        (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) = share;
-    }
-    (*v4) = skewed_alpha / alpha;
-    (*v5) = skewed_beta / beta;
-    (*v6) = skewed_nr / nr;
-    (*result_1) = (skewed_alpha_t - (*v4) * alpha_t) / alpha;
-    (*result_3) = (skewed_beta_t - (*v5) * beta_t) / beta;
-    (*result_5) = (skewed_nr_t - (*v6) * nr_t) / nr;
+    (*v2) = skewed_alpha / alpha;
+    (*v3) = skewed_beta / beta;
+    (*v4) = skewed_nr / nr;
+    (*result_1) = (skewed_alpha_t - (*v2) * alpha_t) / alpha;
+    (*result_3) = (skewed_beta_t - (*v3) * beta_t) / beta;
+    (*result_5) = (skewed_nr_t - (*v4) * nr_t) / nr;
     return 0;
 }

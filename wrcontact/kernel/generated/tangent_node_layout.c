@@ -8,7 +8,6 @@
 /* Tangent of ``zone_share``. */
 static inline int64_t tangent_node_layout__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
 {
-    double spread;
     double v2;
     double v1;
     double v1_t;
@@ -18,14 +17,9 @@ static inline int64_t tangent_node_layout__zone_share_t(double* share, double* s
         side_t = node_coefficients__FLOOR * A_t;
         side = node_coefficients__FLOOR * A;
     }
-    spread = node_layout__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
-    {
-        spread = node_layout__STRIP_SPREAD;
-    }
     v2 = A / side;
     tangent_hertz__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
-    v3 = spread / v1;
+    v3 = node_layout__SPREAD / v1;
     (*share_t) = (-v3) * v1_t / v1;
     (*share) = v3;
     if (((*share) > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))

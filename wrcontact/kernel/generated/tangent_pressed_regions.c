@@ -46,6 +46,25 @@ static inline int64_t tangent_pressed_regions__press_frame_t(array_double_1d wor
     return INT64_C(0);
 }
 
+/* Tangent of ``sink_wheel``. */
+static inline int64_t tangent_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double penetration, double penetration_t)
+{
+    double v1;
+    double height_t;
+    double height;
+    int64_t n2;
+    int64_t count;
+    v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
+    n2 = tangent_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+    count = n2;
+    tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
+    return count;
+}
+
 /* Tangent of ``open_pressed_region``. */
 static inline int64_t tangent_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point)
 {
@@ -150,7 +169,7 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         tangent_pressed_regions__open_pressed_region_t(work, work_t, tables, region, point);
-        if (index != contact)
+        if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
             tangent_pressed_regions__give_own_frame_t(work, work_t, tables, region, point);
         }

@@ -7,12 +7,13 @@
 #define WRCONTACT_KERNEL_TANGENT_STRIP_CONTACT_H
 
 #include "../native/spans.h"
+#include "deep_points.h"
 #include "layout.h"
-#include "tangent_analyn_contact.h"
+#include "tangent_estimate.h"
 #include "tangent_planes.h"
+#include "tangent_pressed_regions.h"
 #include "tangent_strip_patches.h"
-#include "tangent_strip_placement.h"
-#include "tangent_strip_surfaces.h"
+#include "tangent_strip_zones.h"
 #include "tangent_strips.h"
 
 static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);

@@ -8,14 +8,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "strip_edges.h"
-#include "tangent_rates.h"
-#include "tangent_strip_influence.h"
-#include "tangent_strip_surfaces.h"
 
 static inline int64_t tangent_strip_edges__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward);
-static inline int64_t tangent_strip_edges__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t i, double start, double start_t, double stop, double stop_t);
-static inline int64_t tangent_strip_edges__fit_edge_t(array_double_1d work, array_double_1d work_t, int64_t last, double edge, double edge_t, int64_t outward);
-static inline int64_t tangent_strip_edges__fit_edges_t(array_double_1d work, array_double_1d work_t);
 
 #endif

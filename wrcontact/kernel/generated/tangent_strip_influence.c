@@ -5,183 +5,387 @@
 
 #include "tangent_strip_influence.h"
 
-/* Tangent of ``measure_distances``. */
-static inline int64_t tangent_strip_influence__measure_distances_t(array_double_1d work, array_double_1d work_t, int64_t i, int64_t others)
+/* Tangent of ``cubic_through_slopes``. */
+static inline int64_t tangent_strip_influence__cubic_through_slopes_t(double* result_0, double* result_1, double low, double low_t, double low_slope, double low_slope_t, double high, double high_t, double high_slope, double high_slope_t, double x, double x_t)
+{
+    double rise_t;
+    double rise;
+    double rest_t;
+    double rest;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    rise_t = high_t - low_t;
+    rise = high - low;
+    rest_t = -x_t;
+    rest = 1.0 - x;
+    v1 = low_slope - rise;
+    v2 = high_slope - rise;
+    v3 = rest * v1 - x * v2;
+    v4 = rise + rest * v3;
+    (*result_0) = low + x * v4;
+    (*result_1) = low_t + (x_t * v4 + x * (rise_t + (rest_t * v3 + rest * (rest_t * v1 + rest * (low_slope_t - rise_t) - (x_t * v2 + x * (high_slope_t - rise_t))))));
+    return 0;
+}
+
+/* Tangent of ``middle_influence``. */
+static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, double* v2_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    int64_t at;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = (int64_t)(place);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    at = first + INT64_C(2) * cell;
+    tangent_strip_influence__cubic_through_slopes_t(v2, v2_t, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), 0.0, place - (double)(cell), place_t);
+    return 0;
+}
+
+/* Tangent of ``influence_at``. */
+static inline int64_t tangent_strip_influence__influence_at_t(double* v9, double* v9_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double square, double square_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    double v2;
+    double v3;
+    double v4;
+    double along_t;
+    double along;
+    int64_t column;
+    double share_t;
+    double share;
+    int64_t at;
+    int64_t to;
+    double v5;
+    double low_t;
+    double low;
+    double v6;
+    double low_slope_t;
+    double low_slope;
+    double v7;
+    double high_t;
+    double high;
+    double v8;
+    double high_slope_t;
+    double high_slope;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = (int64_t)(place);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    v2 = 1.0 + square;
+    v3 = square / v2;
+    v4 = (double)(layout__INFLUENCE_COLUMNS);
+    along_t = (square_t - v3 * square_t) / v2 * v4;
+    along = v3 * v4;
+    column = (int64_t)(along);
+    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
+    {
+        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
+    }
+    share_t = along_t;
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+    to = at + layout__INFLUENCE_COLUMN;
+    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
+    low_t = share_t * v5;
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v5;
+    v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
+    low_slope_t = share_t * v6;
+    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v6;
+    v7 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    high_t = share_t * v7;
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v7;
+    v8 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
+    high_slope_t = share_t * v8;
+    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v8;
+    tangent_strip_influence__cubic_through_slopes_t(v9, v9_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
+    return 0;
+}
+
+/* Tangent of ``nearness``. */
+static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
+{
+    double v1;
+    double v2;
+    v1 = distance + half_length;
+    v2 = distance / v1;
+    (*v3) = sqrt(v2);
+    (*result_1) = tangent_rates__root_rate((*v3), (distance_t - v2 * (distance_t + half_length_t)) / v1);
+    return 0;
+}
+
+/* Tangent of ``mean_at``. */
+static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double square, double square_t)
+{
+    double half_t;
+    double half;
+    double near_t;
+    double near;
+    double far_t;
+    double far;
+    double v2;
+    double v2_t;
+    double v1;
+    double v1_t;
+    double inner_t;
+    double inner;
+    double v4;
+    double v4_t;
+    double v3;
+    double v3_t;
+    double outer_t;
+    double outer;
+    double v5;
+    half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
+    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    near_t = distance_t - half_t;
+    near = distance - half;
+    if (near < 0.0)
+    {
+        near_t = 0.0;
+        near = 0.0;
+    }
+    far_t = distance_t + half_t;
+    far = distance + half;
+    tangent_strip_influence__nearness_t(&v2, &v2_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, square, square_t);
+    inner_t = v1_t;
+    inner = v1;
+    tangent_strip_influence__nearness_t(&v4, &v4_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, square, square_t);
+    outer_t = v3_t;
+    outer = v3;
+    v5 = far * outer - near * inner;
+    (*v6) = v5 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v6) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    return 0;
+}
+
+/* Tangent of ``fill_row``. */
+static inline int64_t tangent_strip_influence__fill_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
+{
+    int64_t strip;
+    double x_t;
+    double x;
+    int64_t j;
+    int64_t other;
+    double v2;
+    double v1;
+    double v1_t;
+    double u_t;
+    double u;
+    double v3;
+    double v4;
+    double apart_t;
+    double apart;
+    double v5;
+    double v5_t;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
+    for (j = first; j < last; j += INT64_C(1))
+    {
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+        u_t = v1_t;
+        u = v1;
+        (*cspan_at(&work_t, near + j)) = u_t;
+        (*cspan_at(&work, near + j)) = u;
+        v3 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
+        v4 = v3 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+        apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v4 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+        apart = v4;
+        tangent_strip_influence__influence_at_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t, apart * apart, apart_t * apart + apart * apart_t);
+        (*cspan_at(&work_t, row + j)) = v5_t;
+        (*cspan_at(&work, row + j)) = v5;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_straight_row``. */
+static inline int64_t tangent_strip_influence__fill_straight_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
 {
     int64_t strip;
     int64_t j;
     int64_t other;
-    double v1;
-    double apart_t;
-    double apart;
     double v2;
-    double v2_t;
-    double lead_t;
-    double lead;
-    double v3;
-    double v4;
-    double distance_t;
-    double distance;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    for (j = INT64_C(0); j < others; j += INT64_C(1))
-    {
-        if (j != i)
-        {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, other + layout__STRIP_STATION));
-            apart_t = tangent_rates__size_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, other + layout__STRIP_STATION)));
-            apart = fabs(v1);
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))))
-            {
-                tangent_interaction__region_lead_t(&v2, &v2_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))));
-                lead_t = v2_t;
-                lead = v2;
-                v3 = apart * apart + lead * lead;
-                v4 = sqrt(v3);
-                apart_t = tangent_rates__root_rate(v4, apart_t * apart + apart * apart_t + (lead_t * lead + lead * lead_t));
-                apart = v4;
-            }
-            distance_t = apart_t / apart;
-            distance = log(apart);
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance;
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``line_influence``. */
-static inline int64_t tangent_strip_influence__line_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double abscissa, double abscissa_t)
-{
     double v1;
+    double v1_t;
     double u_t;
     double u;
-    int64_t cell;
-    int64_t cubic;
-    double v2;
     double v3;
-    v1 = abscissa - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_START));
-    u_t = abscissa_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_CELLS_PER_UNIT));
-    u = v1 * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_CELLS_PER_UNIT));
-    if (!(u > 0.0))
+    double v3_t;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    for (j = first; j < last; j += INT64_C(1))
     {
-        u_t = 0.0;
-        u = 0.0;
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+        u_t = v1_t;
+        u = v1;
+        (*cspan_at(&work_t, near + j)) = u_t;
+        (*cspan_at(&work, near + j)) = u;
+        tangent_strip_influence__middle_influence_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t);
+        (*cspan_at(&work_t, row + j)) = v3_t;
+        (*cspan_at(&work, row + j)) = v3;
     }
-    if (u > (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_COUNT)))
-    {
-        u_t = 0.0;
-        u = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_COUNT));
-    }
-    cell = (int64_t)(u);
-    u = u - (double)(cell);
-    cubic = table + layout__INFLUENCE_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    v2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + u * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    v3 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + u * v2;
-    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + u * v3;
-    (*result_1) = u_t * v3 + u * (u_t * v2 + u * (u_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
-    return 0;
-}
-
-/* Tangent of ``near_share``. */
-static inline int64_t tangent_strip_influence__near_share_t(double* result_0, double* result_1, double share, double share_t)
-{
-    double square_t;
-    double square;
-    double v1;
-    double rest_t;
-    double rest;
-    double v2;
-    double v3;
-    double v4;
-    square_t = share_t * share + share * share_t;
-    square = share * share;
-    v1 = 1.0 / 72.0 + square / 110.0;
-    rest_t = square_t * v1 + square * (square_t / 110.0);
-    rest = 1.0 / 42.0 + square * v1;
-    v2 = 2.0 * square;
-    v3 = 1.0 / 20.0 + square * rest;
-    v4 = 1.0 / 6.0 + square * v3;
-    (*result_0) = v2 * v4;
-    (*result_1) = 2.0 * square_t * v4 + v2 * (square_t * v3 + square * (square_t * rest + square * rest_t));
-    return 0;
+    return INT64_C(0);
 }
 
 /* Tangent of ``fill_influences``. */
-static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table)
+static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t yawed)
 {
     int64_t count;
     int64_t i;
+    int64_t strip;
     int64_t row;
-    int64_t distances;
+    int64_t near;
     int64_t j;
+    int64_t other;
     double v1;
-    double v1_t;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
     double v2;
-    double v2_t;
+    double apart_t;
+    double apart;
+    double v4;
+    double v3;
+    double v3_t;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
     double v7;
-    double v8;
-    double v9;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        distances = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+        if (yawed == INT64_C(1))
+        {
+            tangent_strip_influence__fill_row_t(tables, work, work_t, table, i, INT64_C(0), i, near, row);
+            tangent_strip_influence__fill_row_t(tables, work, work_t, table, i, i + INT64_C(1), count, near, row);
+        }
+        else
+        {
+            tangent_strip_influence__fill_straight_row_t(tables, work, work_t, table, i, INT64_C(0), i, near, row);
+            tangent_strip_influence__fill_straight_row_t(tables, work, work_t, table, i, i + INT64_C(1), count, near, row);
+        }
+        for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+        {
+            if ((j >= INT64_C(0)) && (j < count))
+            {
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                v1 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
+                v2 = v1 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                apart_t = ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v2 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                apart = v2;
+                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                tangent_strip_influence__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), tangent_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), apart * apart, apart_t * apart + apart * apart_t);
+                (*cspan_at(&work_t, row + j)) = v3_t;
+                (*cspan_at(&work, row + j)) = v3;
+            }
+        }
+        tangent_strip_influence__nearness_t(&v5, &v5_t, 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH)), (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+        (*cspan_at(&work_t, near + i)) = v5_t;
+        (*cspan_at(&work, near + i)) = v5;
+        tangent_strip_influence__middle_influence_t(&v6, &v6_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), (*cspan_at(&work_t, near + i)));
+        (*cspan_at(&work_t, row + i)) = v6_t;
+        (*cspan_at(&work, row + i)) = v6;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            if (j != i)
-            {
-                tangent_strip_influence__line_influence_t(&v1, &v1_t, tables, table, (*cspan_at(&work, distances + j)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)), (*cspan_at(&work_t, distances + j)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)));
-                (*cspan_at(&work_t, row + j)) = v1_t;
-                (*cspan_at(&work, row + j)) = v1;
-            }
+            v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN));
+            (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) * v7 + (*cspan_at(&work, row + j)) * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN))));
+            (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) * v7;
         }
-        for (j = i - INT64_C(2); j < i + INT64_C(3); j += INT64_C(1))
-        {
-            if ((j >= INT64_C(0)) && (j < count) && (j != i))
-            {
-                v3 = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH));
-                v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION));
-                v5 = fabs(v4);
-                v6 = v3 / v5;
-                tangent_strip_influence__near_share_t(&v2, &v2_t, v6, (0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH)) - v6 * tangent_rates__size_rate(v4, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION)))) / v5);
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) + v2_t;
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) + v2;
-            }
-        }
-        v7 = 8.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-        v8 = v7 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        v9 = log(v8);
-        (*cspan_at(&work_t, row + i)) = 2.0 * ((8.0 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) - v8 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) / v8);
-        (*cspan_at(&work, row + i)) = 2.0 * v9;
     }
-    tangent_strip_influence__turn_influences_t(work, work_t, count);
     return INT64_C(0);
 }
 
-/* Tangent of ``turn_influences``. */
-static inline int64_t tangent_strip_influence__turn_influences_t(array_double_1d work, array_double_1d work_t, int64_t count)
+/* Tangent of ``end_displacement``. */
+static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
 {
-    int64_t i;
+    int64_t strip;
+    int64_t near;
+    double x_t;
+    double x;
+    int64_t j_end;
     int64_t j;
+    int64_t other;
     double v1;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double v2;
+    double apart_t;
+    double apart;
+    double square_t;
+    double square;
+    double v3;
+    double v3_t;
+    double influence_t;
+    double influence;
+    double v5;
+    double v4;
+    double v4_t;
+    double v6;
+    double v6_t;
+    double v7;
+    double v8;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    (*total_t) = 0.0;
+    (*total) = 0.0;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            if (j != i)
+            v1 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
+            v2 = v1 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+            apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v2 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+            apart = v2;
+            square_t = apart_t * apart + apart * apart_t;
+            square = apart * apart;
+            if (j == i)
             {
-                v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN));
-                (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN))));
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1;
+                tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), (*cspan_at(&work_t, near + i)), square, square_t);
+                influence_t = v3_t;
+                influence = v3;
             }
+            else if ((j == i - INT64_C(1)) || (j == i + INT64_C(1)))
+            {
+                v5 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                tangent_strip_influence__mean_at_t(&v4, &v4_t, tables, work, work_t, table, other, fabs(v5), tangent_rates__size_rate(v5, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), square, square_t);
+                influence_t = v4_t;
+                influence = v4;
+            }
+            else
+            {
+                tangent_strip_influence__influence_at_t(&v6, &v6_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), square, square_t);
+                influence_t = v6_t;
+                influence = v6;
+            }
+            v7 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
+            v8 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v8 + v7 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+            (*total) = (*total) + v7 * v8;
         }
     }
-    return INT64_C(0);
+    return 0;
 }

@@ -6,12 +6,35 @@
 #include "tangent_strip_patches.h"
 
 /* Tangent of ``fill_from_strips``. */
-static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index;
-    int64_t count;
     int64_t first;
     int64_t last;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        tangent_strip_patches__load_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
+    }
+    tangent_strip_patches__add_stiffness_t(work, work_t, tables, count);
+    tangent_filling__clear_patches_t(work, work_t);
+    first = INT64_C(0);
+    while((first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
+    {
+        last = first;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
+        {
+            last = strip_edges__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
+            tangent_strip_patches__fill_run_t(work, work_t, first, last);
+        }
+        first = last + INT64_C(1);
+    }
+    tangent_filling__finish_patches_t(work, work_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_run``. */
+static inline int64_t tangent_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t last)
+{
     double v1;
     double v1_t;
     double start_t;
@@ -22,6 +45,7 @@ static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d 
     double stop;
     int64_t region;
     int64_t n3;
+    int64_t index;
     int64_t patch;
     int64_t i;
     double load_t;
@@ -34,93 +58,237 @@ static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d 
     double pressure;
     double v6;
     double v6_t;
-    for (index = INT64_C(0); index < layout__REGION_LIMIT; index += INT64_C(1))
+    tangent_strip_edges__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
+    start_t = v1_t;
+    start = v1;
+    tangent_strip_edges__run_edge_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
+    stop_t = v2_t;
+    stop = v2;
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
+    n3 = tangent_filling__begin_patch_t(work, work_t, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))), -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION)))));
+    index = n3;
+    patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_MOMENT)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_MOMENT)) = 0.0;
+        tangent_strip_patches__add_strip_t(work, work_t, patch, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
+        load_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        tangent_filling__add_part_t(work, work_t, index, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), load_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
     }
-    tangent_filling__clear_patches_t(work, work_t);
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    first = INT64_C(0);
-    while((first < count) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
-    {
-        last = first;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
-        {
-            last = strip_edges__run_end(work, count, first);
-            tangent_strip_edges__run_edge_t(&v1, &v1_t, work, work_t, count, first, last, -INT64_C(1));
-            start_t = v1_t;
-            start = v1;
-            tangent_strip_edges__run_edge_t(&v2, &v2_t, work, work_t, count, last, first, INT64_C(1));
-            stop_t = v2_t;
-            stop = v2;
-            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-            n3 = tangent_filling__begin_patch_t(work, work_t, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))), -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION)))));
-            index = n3;
-            patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-            for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-            {
-                tangent_strip_patches__add_strip_t(work, work_t, patch, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
-                load_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-                load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-                tangent_filling__add_part_t(work, work_t, index, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), load_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
-            }
-            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop_t;
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
-            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
-            tangent_strip_patches__run_area_t(&v4, &v4_t, work, work_t, first, last, start, start_t, stop, stop_t);
-            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4_t;
-            (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4;
-            tangent_strip_patches__largest_pressure_t(&v5, &v5_t, work, work_t, first, last);
-            pressure_t = v5_t;
-            pressure = v5;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
-            tangent_strip_patches__largest_square_t(&v6, &v6_t, work, work_t, first, last);
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6;
-            tangent_filling__finish_patch_t(work, work_t);
-        }
-        first = last + INT64_C(1);
-    }
-    tangent_filling__finish_patches_t(work, work_t);
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
+    tangent_strip_patches__run_area_t(&v4, &v4_t, work, work_t, first, last, start, start_t, stop, stop_t);
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4;
+    tangent_strip_patches__largest_pressure_t(&v5, &v5_t, work, work_t, first, last);
+    pressure_t = v5_t;
+    pressure = v5;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
+    tangent_strip_patches__largest_square_t(&v6, &v6_t, work, work_t, first, last);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6;
+    tangent_filling__finish_patch_t(work, work_t);
     return INT64_C(0);
 }
 
 /* Tangent of ``add_strip``. */
-static inline int64_t tangent_strip_patches__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t strip, int64_t to)
+static inline int64_t tangent_strip_patches__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, int64_t to)
 {
     double load_t;
     double load;
-    double v1;
     load_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
     load = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + load_t;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + load;
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (load_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + load * (*cspan_at(&work, strip + layout__STRIP_STATION));
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + load_t;
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + load;
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + (load_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + load * (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * v1 + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION))));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * v1;
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work_t, strip + layout__STRIP_CURVATURE));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work, strip + layout__STRIP_CURVATURE));
+    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, strip + layout__STRIP_A));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, strip + layout__STRIP_A));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) + (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+    return INT64_C(0);
+}
+
+/* Tangent of ``load_region``. */
+static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index)
+{
+    double load_t;
+    double load;
+    double moment_t;
+    double moment;
+    double cosines_t;
+    double cosines;
+    double sines_t;
+    double sines;
+    double x_t;
+    double x;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double own_t;
+    double own;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    load_t = 0.0;
+    load = 0.0;
+    moment_t = 0.0;
+    moment = 0.0;
+    cosines_t = 0.0;
+    cosines = 0.0;
+    sines_t = 0.0;
+    sines = 0.0;
+    x_t = 0.0;
+    x = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        {
+            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            load_t = load_t + own_t;
+            load = load + own;
+            moment_t = moment_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            moment = moment + own * (*cspan_at(&work, strip + layout__STRIP_STATION));
+            cosines_t = cosines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + own * (*cspan_at(&work_t, strip + layout__STRIP_COS)));
+            cosines = cosines + own * (*cspan_at(&work, strip + layout__STRIP_COS));
+            sines_t = sines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
+            sines = sines + own * (*cspan_at(&work, strip + layout__STRIP_SIN));
+            v1 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+            x_t = x_t + (own_t * v1 + own * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD))));
+            x = x + own * v1;
+        }
+    }
+    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = load_t;
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = moment_t;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = moment;
+    (*cspan_at(&work_t, region + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
+    if (load > 0.0)
+    {
+        v2 = cosines / load;
+        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v2 * load_t) / load;
+        (*cspan_at(&work, region + layout__REGION_COS)) = v2;
+        v3 = sines / load;
+        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v3 * load_t) / load;
+        (*cspan_at(&work, region + layout__REGION_SIN)) = v3;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        {
+            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_COS));
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+        }
+        v4 = moment / load;
+        v5 = x / load;
+        tangent_strip_patches__slant_region_t(work, work_t, region, index, v4, (moment_t - v4 * load_t) / load, v5, (x_t - v5 * load_t) / load);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``slant_region``. */
+static inline int64_t tangent_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t)
+{
+    double along_t;
+    double along;
+    double spread_t;
+    double spread;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double own_t;
+    double own;
+    double away_t;
+    double away;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    along_t = 0.0;
+    along = 0.0;
+    spread_t = 0.0;
+    spread = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        {
+            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            away_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - station_t;
+            away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
+            v1 = own * away;
+            v2 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x;
+            along_t = along_t + ((own_t * away + own * away_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) - x_t));
+            along = along + v1 * v2;
+            v3 = own * away;
+            spread_t = spread_t + ((own_t * away + own * away_t) * away + v3 * away_t);
+            spread = spread + v3 * away;
+        }
+    }
+    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * (*cspan_at(&work, region + layout__REGION_CARRIED)))
+    {
+        v4 = along / spread;
+        (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (along_t - v4 * spread_t) / spread;
+        (*cspan_at(&work, region + layout__REGION_SLANT)) = v4;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``add_stiffness``. */
+static inline int64_t tangent_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+{
+    int64_t index;
+    double scale;
+    int64_t size;
+    int64_t i_end;
+    int64_t i;
+    int64_t rank;
+    int64_t row;
+    int64_t strip;
+    int64_t region;
+    double v1;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+    }
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    size = INT64_C(0);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        {
+            size = size + INT64_C(1);
+        }
+    }
+    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        v1 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) + (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, row + size)) + v1 * (*cspan_at(&work_t, row + size)));
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work, region + layout__REGION_STIFFNESS)) + v1 * (*cspan_at(&work, row + size));
+    }
     return INT64_C(0);
 }
 

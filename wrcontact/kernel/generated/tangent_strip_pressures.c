@@ -93,8 +93,8 @@ static inline int64_t tangent_strip_pressures__write_equations_t(array_double_1d
             (*cspan_at(&work_t, row + other)) = (*cspan_at(&work_t, k1));
             (*cspan_at(&work, row + other)) = (*cspan_at(&work, k1));
         }
-        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
+        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
         (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
         (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
@@ -102,7 +102,7 @@ static inline int64_t tangent_strip_pressures__write_equations_t(array_double_1d
 }
 
 /* Tangent of ``equilibrium_penetration``. */
-static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t)
+static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t)
 {
     double unit_load_t;
     double unit_load;
@@ -111,11 +111,10 @@ static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double*
     int64_t rank;
     int64_t row;
     int64_t strip;
-    int64_t k1;
     double half_t;
     double half;
+    double v1;
     double v2;
-    double v3;
     unit_load_t = 0.0;
     unit_load = 0.0;
     rest_load_t = 0.0;
@@ -124,18 +123,17 @@ static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double*
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        k1 = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE;
-        half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, k1)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, k1));
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, k1));
+        half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_COUNTED));
+        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
         unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, row + size)) + half * (*cspan_at(&work_t, row + size)));
         unit_load = unit_load + half * (*cspan_at(&work, row + size));
         rest_load_t = rest_load_t + (half_t * (*cspan_at(&work, row + (size + INT64_C(1)))) + half * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
         rest_load = rest_load + half * (*cspan_at(&work, row + (size + INT64_C(1))));
     }
-    v2 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    v3 = force / v2 + rest_load;
-    (*v4) = v3 / unit_load;
-    (*result_1) = (force_t / v2 + rest_load_t - (*v4) * unit_load_t) / unit_load;
+    v1 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    v2 = force / v1 + rest_load;
+    (*v3) = v2 / unit_load;
+    (*result_1) = (force_t / v1 + rest_load_t - (*v3) * unit_load_t) / unit_load;
     return 0;
 }
 
@@ -195,8 +193,8 @@ static inline int64_t tangent_strip_pressures__exchange_strips_t(array_double_1d
             }
             else
             {
-                v1 = (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) - strip_pressures__TOUCH;
-                pushed_t = (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE)) * penetration + v1 * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
+                v1 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) - strip_pressures__TOUCH;
+                pushed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + v1 * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
                 pushed = v1 * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
                 row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))

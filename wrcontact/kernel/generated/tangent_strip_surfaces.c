@@ -5,58 +5,164 @@
 
 #include "tangent_strip_surfaces.h"
 
-/* Tangent of ``node_cell``. */
-static inline int64_t tangent_strip_surfaces__node_cell_t(int64_t* k, double* result_1, double* u_t, array_double_1d work, array_double_1d work_t, int64_t strip, int64_t region)
+/* Tangent of ``trace_strips``. */
+static inline int64_t tangent_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count)
 {
-    double v1;
-    double v2;
-    double u;
-    v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
-    v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*u_t) = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
-    u = v2;
-    (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
-    if ((*k) > (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1))
+    int64_t index;
+    int64_t region;
+    int64_t started;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        (*k) = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1);
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        tangent_planes__enter_plane_t(work, work_t, region, index);
+        started = INT64_C(0);
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+            {
+                if (started == INT64_C(0))
+                {
+                    tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+                    tangent_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
+                    started = INT64_C(1);
+                }
+                tangent_strip_surfaces__trace_strip_t(work, work_t, tables, state, region, strip);
+            }
+        }
+        tangent_planes__leave_plane_t(work, work_t, region);
     }
-    if ((*k) < (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
-    {
-        (*k) = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
-    }
-    (*result_1) = u - (double)((*k));
-    return 0;
+    return INT64_C(0);
 }
 
-/* Tangent of ``read_surfaces``. */
-static inline int64_t tangent_strip_surfaces__read_surfaces_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t region, int64_t nodes, int64_t k, double x, double x_t)
+/* Tangent of ``trace_strip``. */
+static inline int64_t tangent_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
 {
-    double v1;
-    double v1_t;
-    double gap_t;
     double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    double v1;
     double v2;
-    double A_t;
-    double A;
-    tangent_cubic__cubic_through_t(&v1, &v1_t, (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k - INT64_C(1)))), (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (k - INT64_C(1)))), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)), (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(1)))), (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(1)))), (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(2)))), (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (k + INT64_C(2)))), x, x_t);
-    gap_t = v1_t;
-    gap = v1;
-    if (gap < 0.0)
+    double v3;
+    double v4;
+    double v4_t;
+    tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
+    (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
+    (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -contact_plane__NO_GAP;
+    if (gap < contact_plane__NO_GAP)
     {
-        gap_t = 0.0;
-        gap = 0.0;
+        (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
+        (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
+        (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = -rate_t;
+        (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    v2 = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-    A_t = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k)) + (x_t * v2 + x * ((*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k))));
-    A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k)) + x * v2;
-    (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_GAP)) + (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work_t, region + layout__REGION_GAP)) + (gap_t * (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) + gap * (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_B)));
-    (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_GAP)) + gap * (*cspan_at(&work, region + layout__REGION_UPRIGHT_B));
-    (*cspan_at(&work_t, strip + layout__STRIP_A)) = A_t * (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) + A * (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_A));
-    (*cspan_at(&work, strip + layout__STRIP_A)) = A * (*cspan_at(&work, region + layout__REGION_UPRIGHT_A));
-    (*cspan_at(&work_t, strip + layout__STRIP_CURVATURE)) = 2.0 * A_t;
-    (*cspan_at(&work, strip + layout__STRIP_CURVATURE)) = 2.0 * A;
-    (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) + (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT));
-    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    v1 = 1.0 + slope * slope;
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    (*cspan_at(&work, strip + layout__STRIP_COS)) = v3;
+    (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__STRIP_COS));
+    (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+    (*cspan_at(&work_t, strip + layout__STRIP_X)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
+    (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * curvature_t;
+    (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
+    (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
+    (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    if (contact_plane__is_yawed(work) == INT64_C(1))
+    {
+        tangent_locus__outline_x_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
+        (*cspan_at(&work_t, strip + layout__STRIP_X)) = v4_t;
+        (*cspan_at(&work, strip + layout__STRIP_X)) = v4;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``place_on_middle``. */
+static inline int64_t tangent_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count)
+{
+    double stretch_t;
+    double stretch;
+    int64_t i;
+    int64_t strip;
+    int64_t before;
+    int64_t after;
+    double turned_t;
+    double turned;
+    double reach_t;
+    double reach;
+    double last_t;
+    double last;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    stretch_t = 0.0;
+    stretch = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        before = i;
+        after = i;
+        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
+        {
+            before = i - INT64_C(1);
+        }
+        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_JOINED)) == 1.0))
+        {
+            after = i + INT64_C(1);
+        }
+        turned_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)));
+        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN));
+        reach_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
+        reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
+        last_t = stretch_t;
+        last = stretch;
+        stretch_t = 0.0;
+        stretch = 1.0;
+        if ((reach > 0.0) && ((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > 0.0))
+        {
+            v1 = 0.5 * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+            v2 = v1 * turned;
+            v3 = v2 / reach;
+            stretch_t = -((0.5 * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) * turned + v1 * turned_t - v3 * reach_t) / reach);
+            stretch = 1.0 - v3;
+        }
+        (*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * stretch + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch_t;
+        (*cspan_at(&work, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch;
+        (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
+        (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
+        if (i > INT64_C(0))
+        {
+            v4 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+            v5 = v4 * 0.5;
+            v6 = last + stretch;
+            (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + (((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION))) * 0.5 * v6 + v5 * (last_t + stretch_t));
+            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + v5 * v6;
+        }
+    }
     return INT64_C(0);
 }
 
@@ -66,196 +172,234 @@ static inline int64_t tangent_strip_surfaces__incline_strips_t(array_double_1d w
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    int64_t region;
+    double half_t;
+    double half;
     double v1;
-    double v1_t;
-    double abscissa_t;
-    double abscissa;
-    double height;
-    double height_t;
-    double slope;
-    double slope_t;
     double v2;
     double v3;
+    double scale_t;
+    double scale;
     double v4;
+    double v5;
+    double cosine_t;
+    double cosine;
+    double v6;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+        half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_RISE));
+        half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_RISE));
+        v1 = 1.0 + half * half;
+        v2 = sqrt(v1);
+        v3 = 1.0 / v2;
+        scale_t = (-v3) * tangent_rates__root_rate(v2, half_t * half + half * half_t) / v2;
+        scale = v3;
+        v4 = (*cspan_at(&work, strip + layout__STRIP_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, strip + layout__STRIP_SHARE)) = v4;
+        v5 = (*cspan_at(&work, strip + layout__STRIP_COS)) - half * (*cspan_at(&work, strip + layout__STRIP_SIN));
+        cosine_t = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - (half_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work_t, strip + layout__STRIP_SIN)))) * scale + v5 * scale_t;
+        cosine = v5 * scale;
+        v6 = (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work, strip + layout__STRIP_COS));
+        (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) + (half_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + half * (*cspan_at(&work_t, strip + layout__STRIP_COS)))) * scale + v6 * scale_t;
+        (*cspan_at(&work, strip + layout__STRIP_SIN)) = v6 * scale;
+        (*cspan_at(&work_t, strip + layout__STRIP_COS)) = cosine_t;
+        (*cspan_at(&work, strip + layout__STRIP_COS)) = cosine;
+        (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (*cspan_at(&work_t, region + layout__REGION_COS));
-            (*cspan_at(&work, strip + layout__STRIP_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
-            (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = (*cspan_at(&work_t, region + layout__REGION_SIN));
-            (*cspan_at(&work, strip + layout__STRIP_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
-        }
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
-            abscissa_t = v1_t;
-            abscissa = v1;
-            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-            v2 = 1.0 + slope * slope;
-            v3 = sqrt(v2);
-            v4 = 1.0 / v3;
-            (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (-v4) * tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
-            (*cspan_at(&work, strip + layout__STRIP_COS)) = v4;
-            (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__STRIP_COS));
-            (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
+            (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = cosine_t;
+            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = cosine;
         }
     }
     return INT64_C(0);
 }
 
-/* Tangent of ``describe_strips``. */
-static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d work, array_double_1d work_t)
+/* Tangent of ``profile_within``. */
+static inline int64_t tangent_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t)
 {
-    int64_t count;
-    double longest_t;
-    double longest;
-    int64_t i;
-    int64_t strip;
-    int64_t region;
-    int64_t own;
-    int64_t k;
-    double x;
-    double x_t;
+    int64_t wheel;
+    double slope;
+    double slope_t;
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
+    {
+        y_t = 0.0;
+        y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+    }
+    if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
+    {
+        y_t = 0.0;
+        y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+    }
+    tangent_profile_table__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
+    return 0;
+}
+
+/* Tangent of ``measure_ridge``. */
+static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t strip, double away, double away_t)
+{
     double v1;
-    double line_t;
-    double line;
+    double across_t;
+    double across;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double bend;
+    double bend_t;
     double v2;
-    double length_t;
-    double length;
+    double v2_t;
+    double before_t;
+    double before;
     double v3;
-    double level_t;
-    double level;
-    int64_t loaded;
-    double square_t;
-    double square;
+    double v3_t;
+    double after_t;
+    double after;
     double v4;
     double v5;
-    double below_t;
-    double below;
     double v6;
+    double mean_t;
+    double mean;
     double v7;
+    double v7_t;
     double v8;
-    double inside_t;
-    double inside;
+    double odd_t;
+    double odd;
     double v9;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    longest_t = 0.0;
-    longest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    double v14;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        own = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        tangent_strip_surfaces__node_cell_t(&k, &x, &x_t, work, work_t, strip, region);
-        tangent_strip_surfaces__read_surfaces_t(work, work_t, strip, region, own, k, x, x_t);
-        v1 = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k));
-        line_t = (*cspan_at(&work_t, own + layout__NODES_LINE + INT64_C(128) + k)) + (x_t * v1 + x * ((*cspan_at(&work_t, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_LINE + INT64_C(128) + k))));
-        line = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)) + x * v1;
-        v2 = (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k));
-        length_t = (*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + k)) + (x_t * v2 + x * ((*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + k))));
-        length = (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)) + x * v2;
-        v3 = (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k));
-        level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)) + (x_t * v3 + x * ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)))));
-        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * v3);
-        (*cspan_at(&work_t, strip + layout__STRIP_LOAD_PER_SQUARE)) = line_t * length + line * length_t;
-        (*cspan_at(&work, strip + layout__STRIP_LOAD_PER_SQUARE)) = line * length;
-        loaded = INT64_C(0);
-        square_t = 0.0;
-        square = 0.0;
-        if (level > 0.0)
-        {
-            loaded = INT64_C(1);
-            v4 = level / length;
-            square_t = (level_t - v4 * length_t) / length;
-            square = v4;
-        }
-        v5 = (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - ((*cspan_at(&work_t, strip + layout__STRIP_GAP)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE))) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - v5;
-        below_t = below_t * (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) + below * (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT));
-        below = below * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
-        v6 = strip_surfaces__INSIDE * strip_surfaces__INSIDE;
-        v7 = v6 * below;
-        v8 = v7 / length;
-        inside_t = (v6 * below_t - v8 * length_t) / length;
-        inside = v8;
-        if (inside > square)
-        {
-            square_t = inside_t;
-            square = inside;
-        }
-        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(loaded);
-        v9 = sqrt(square);
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = tangent_rates__root_rate(v9, square_t);
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v9;
-        if ((loaded == INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) > longest))
-        {
-            longest_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
-            longest = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        }
+        v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+        across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+        across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
+        tangent_strip_surfaces__profile_within_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
+        before_t = v2_t;
+        before = v2;
+        tangent_strip_surfaces__profile_within_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
+        after_t = v3_t;
+        after = v3;
+        v4 = before + after - 2.0 * z;
+        v5 = across * across;
+        v6 = v4 / v5;
+        mean_t = (before_t + after_t - 2.0 * z_t - v6 * (across_t * across + across * across_t)) / v5;
+        mean = v6;
+        tangent_longitudinal_curvature__longitudinal_curvature_t(&v7, &v7_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
+        (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v7_t;
+        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v7;
+        v8 = after - before;
+        odd_t = 0.5 * (after_t - before_t) - (slope_t * across + slope * across_t);
+        odd = 0.5 * v8 - slope * across;
+        v9 = 1.0 + slope * slope;
+        v10 = sqrt(v9);
+        v11 = v10 * away;
+        v12 = v11 * away;
+        v13 = v12 * away;
+        v14 = odd / v13;
+        (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = (odd_t - v14 * (((tangent_rates__root_rate(v10, slope_t * slope + slope * slope_t) * away + v10 * away_t) * away + v11 * away_t) * away + v12 * away_t)) / v13;
+        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v14;
     }
-    tangent_strip_surfaces__limit_lengths_t(work, work_t, count, longest, longest_t);
-    tangent_strip_surfaces__load_one_t(work, work_t, count);
     return INT64_C(0);
 }
 
-/* Tangent of ``limit_lengths``. */
-static inline int64_t tangent_strip_surfaces__limit_lengths_t(array_double_1d work, array_double_1d work_t, int64_t count, double longest, double longest_t)
+/* Tangent of ``first_lengths``. */
+static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
+    double deepest_t;
+    double deepest;
     int64_t i;
     int64_t strip;
+    double overlap_t;
+    double overlap;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    deepest_t = 0.0;
+    deepest = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP)) > deepest)
+        {
+            deepest_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
+            deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
+        }
+    }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SHORTEST * longest)
+        overlap_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+        overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+        if (overlap < strip_surfaces__LEAST_OVERLAP * deepest)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SHORTEST * longest_t;
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SHORTEST * longest;
+            overlap_t = strip_surfaces__LEAST_OVERLAP * deepest_t;
+            overlap = strip_surfaces__LEAST_OVERLAP * deepest;
         }
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)))
+        if (contact_plane__is_yawed(work) == INT64_C(1))
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SQUARE * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            v1 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
+            v2 = sqrt(v1);
+            tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v2, strip_lengths__TESTED * tangent_rates__root_rate(v2, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_LOG_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work, strip + layout__STRIP_LOG_HALF_LENGTH)) = log((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+        v3 = strip_surfaces__FIRST_SQUARE * overlap;
+        v4 = v3 / (*cspan_at(&work, strip + layout__STRIP_A));
+        v5 = sqrt(v4);
+        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = tangent_rates__root_rate(v5, (strip_surfaces__FIRST_SQUARE * overlap_t - v4 * (*cspan_at(&work_t, strip + layout__STRIP_A))) / (*cspan_at(&work, strip + layout__STRIP_A)));
+        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v5;
+        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > strip_surfaces__FIRST_LOADED * deepest);
     }
+    tangent_strip_lengths__limit_lengths_t(work, work_t, count);
     return INT64_C(0);
 }
 
-/* Tangent of ``load_one``. */
-static inline int64_t tangent_strip_surfaces__load_one_t(array_double_1d work, array_double_1d work_t, int64_t count)
+/* Tangent of ``lengths_before``. */
+static inline int64_t tangent_strip_surfaces__lengths_before_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
-    int64_t smallest;
-    int64_t found;
+    int64_t i_end;
     int64_t i;
-    smallest = INT64_C(0);
-    found = INT64_C(0);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t strip;
+    tangent_strip_layout__length_before_t(work, work_t);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if (contact_plane__is_yawed(work) == INT64_C(1))
         {
-            found = INT64_C(1);
+            tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         }
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
-        {
-            smallest = i;
-        }
+        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
     }
-    if (found == INT64_C(0))
+    tangent_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    return INT64_C(0);
+}
+
+/* Tangent of ``set_gaps``. */
+static inline int64_t tangent_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double v1;
+    double v1_t;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        tangent_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
+        (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) + v1_t;
+        (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + v1;
     }
     return INT64_C(0);
 }

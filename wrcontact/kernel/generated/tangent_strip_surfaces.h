@@ -7,18 +7,29 @@
 #define WRCONTACT_KERNEL_TANGENT_STRIP_SURFACES_H
 
 #include "../native/spans.h"
+#include "contact_plane.h"
 #include "layout.h"
+#include "strip_lengths.h"
 #include "strip_surfaces.h"
-#include "tangent_arc_length.h"
-#include "tangent_cubic.h"
+#include "tangent_curves.h"
+#include "tangent_locus.h"
+#include "tangent_longitudinal_curvature.h"
+#include "tangent_planes.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
+#include "tangent_separation.h"
+#include "tangent_strip_layout.h"
+#include "tangent_strip_lengths.h"
+#include "tangent_traces.h"
 
-static inline int64_t tangent_strip_surfaces__node_cell_t(int64_t* k, double* result_1, double* u_t, array_double_1d work, array_double_1d work_t, int64_t strip, int64_t region);
-static inline int64_t tangent_strip_surfaces__read_surfaces_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t region, int64_t nodes, int64_t k, double x, double x_t);
+static inline int64_t tangent_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
+static inline int64_t tangent_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count);
+static inline int64_t tangent_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count);
 static inline int64_t tangent_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t tangent_strip_surfaces__limit_lengths_t(array_double_1d work, array_double_1d work_t, int64_t count, double longest, double longest_t);
-static inline int64_t tangent_strip_surfaces__load_one_t(array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t);
+static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t strip, double away, double away_t);
+static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t tangent_strip_surfaces__lengths_before_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t tangent_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t);
 
 #endif

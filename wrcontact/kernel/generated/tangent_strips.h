@@ -7,12 +7,19 @@
 #define WRCONTACT_KERNEL_TANGENT_STRIPS_H
 
 #include "../native/spans.h"
+#include "contact_plane.h"
 #include "layout.h"
-#include "tangent_strip_edges.h"
+#include "strip_layout.h"
+#include "strip_lengths.h"
+#include "strips.h"
 #include "tangent_strip_influence.h"
+#include "tangent_strip_layout.h"
 #include "tangent_strip_lengths.h"
 #include "tangent_strip_pressures.h"
+#include "tangent_strip_surfaces.h"
 
-static inline int64_t tangent_strips__solve_strips_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, int64_t by_penetration);
+static inline int64_t tangent_strips__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
+static inline int64_t tangent_strips__sweep_strips_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t sweeps, double power, double power_t, double force, double force_t, int64_t by_penetration);
+static inline int64_t tangent_strips__solve_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration);
 
 #endif

@@ -49,8 +49,9 @@ class Frame:
     station: float                  # to which the traces belong [m]
     traces: Trace * 2               # of RAIL and WHEEL
     pressed: bool                   # whether the wheel is pressed into the rail, rather than just touching it
+    sunk: bool                      # whether it is pressed straight down from where it just touched
     height: float                   # vertical shift at which a pressed wheelset stands [m]
-    depth: float                    # largest overlap of a pressed wheel, along the normal [m]
+    depth: float                    # how deep a pressed wheel is, along the normal [m]
     blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
 
 
@@ -98,9 +99,6 @@ class Region:
     reached: float                  # rise of the gap where the last half-width ends [m]
     side_low: float                 # lateral curvature on either side, rise / half-width^2 [1/m]
     side_high: float
-    upright_a: float                # upright ellipse with the strips of a yawed wheel's tilted one:
-    upright_b: float                # its A and B over the real ones, and
-    upright_share: float            # its penetration over the real one [-]
     slant: float                    # dx/ds of the line of smallest gap [-]; of a yawed wheel only
     own: bool                       # 1 if it has a plane of its own, else 0
     alignment: float                # cosine between its normal and the contact point's [-]

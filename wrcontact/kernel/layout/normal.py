@@ -28,38 +28,54 @@ NodesOfRegions = Nodes * REGION_LIMIT
 
 @record
 class StripZone:
-    start: float                    # where the strips of a region begin and end [m]
+    """Where the wheel overlaps the rail around the deepest point of a region."""
+
+    start: float                    # stations of its ends [m]
     stop: float
-    penetration: float              # along the region's normal, as ANALYN predicts it [m]
-    weight: float                   # integral of sqrt(B) sqrt(1 - g / penetration) from start to stop [m^1/2]
+
+
+@record
+class StripCell:
+    """A piece of the rail that is divided into strips."""
+
+    start: float                    # stations of its ends [m]
+    stop: float
+    weight: float                   # its share of the strips, over that of all cells
+    half_length: float              # of the strip that was there before [m], and how far
+    lead: float                     # the middle of that was before the ridge [m]
 
 
 @record
 class Strip:
     station: float                  # s of its middle [m]
-    width: float                    # h [m]
+    width: float                    # along the rail [m]
     region: int                     # the region that it belongs to
     joined: bool                    # it touches the next strip
-    gap: float                      # g at its middle [m]
-    A: float                        # longitudinal A = 1/(2 R_x), under yaw that of the upright ellipse [1/m]
-    penetration_share: float        # penetration of the upright ellipse along the normal over the total [-]
-    load_per_square: float          # ANALYN's line load over the square of the half-length, eq. (S7) [N/m^3]
+    place: float                    # its middle on the curve between wheel and rail [m],
+    breadth: float                  # and its width there [m]
+    cos: float                      # of the inclination of that curve
+    sin: float
+    overlap: float                  # of wheel and rail where they were laid, on the ridge [m]
+    rise: float                     # how fast that rises along the rail [-]
+    wheel: float                    # wheel abscissa there [m]
+    x: float                        # track coordinate x of the ridge [m]
+    A: float                        # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    skew: float                     # [1/m^2]
+    share: float                    # of the penetration that comes along its normal [-]
+    counted: float                  # share of its load that counts for the prescribed force [-]
+    gap: float                      # on its middle, where nothing penetrates [m]
     loaded: bool
     half_length: float              # a of this sweep [m]
-    log_half_length: float          # ln a
+    lead: float                     # of its middle before the ridge, along x [m]
     y: float                        # h p / (pi E*), eq. (S5) [m]; 0 where the strip is not loaded
     line_load: float                # q [N/m]
-    half_length_square: float       # a^2 after this sweep, eq. (S8) [m^2]
-    pressure: float                 # p on the middle line, eq. (S8) [Pa]
-    curvature: float                # relative longitudinal curvature 1/R_x of the surfaces [1/m]
-    cos: float                      # of the rail's inclination at its middle; of a region's in one plane
-    sin: float
+    half_length_square: float       # a^2 after this sweep [m^2]
+    pressure: float                 # p on its middle [Pa]
+    next_lead: float                # its lead after this sweep [m]
 
 
 Strips = Strip * STRIP_LIMIT
 #: Numbers of pairs of strips: row i, column j.
-DistanceRow = run(STRIP_LIMIT)
-Distances = DistanceRow * STRIP_LIMIT
 InfluenceRow = run(STRIP_LIMIT)
 Influences = InfluenceRow * STRIP_LIMIT
 #: Linear equations: coefficients of the unknowns, then two right-hand sides, which become the two solutions.
@@ -69,31 +85,27 @@ Equations = EquationRow * STRIP_LIMIT
 
 @record
 class StripProblem:
-    penetration: float              # that ANALYN predicts [m]
-    count: int                      # strips of all regions, in the order of regions and stations
-    even: float                     # of all strips, the share per metre that is spread evenly [1/m]
-    graded: float                   # and the share per weight that is spread by weight [m^-1/2]
+    penetration: float              # for which the strips are laid [m]
+    count: int                      # strips of all regions, in the order of stations
+    cell_count: int
     zones: StripZone * REGION_LIMIT
+    cells: StripCell * STRIP_LIMIT
     strips: Strips
     loaded: run(STRIP_LIMIT)        # the numbers of the loaded strips, in order
-    distances: Distances            # ln of the distance of strips i and j, in metres
-    influences: Influences          # F_ij, displacement of middle line i for y_j = 1; eqs. (S2), (S4)
+    near: Influences                # sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
+    influences: Influences          # F_ij, displacement of the middle of i for y_j = 1; eq. (S2)
 
 
-@record
-class Cubic:
-    value: float                    # coefficients of 1, u, u^2, u^3
-    slope: float
-    bend: float
-    third: float
+INFLUENCE_CELLS: Final[int] = 48     # of the table of influences along sqrt(t / (1 + t)),
+INFLUENCE_COLUMNS: Final[int] = 48   # and along e^2 / (1 + e^2)
+#: Numbers of a column, value and slope at each node, and of a map.
+INFLUENCE_COLUMN: Final[int] = 2 * (INFLUENCE_CELLS + 1)
+INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 1)
 
 
 @record
 class InfluenceTable:
-    start: float                    # ln(distance / half-length) where the first cell begins
-    cells_per_unit: float
-    count: float                    # number of cells
-    cells: Cubic * OPEN             # Phi of eq. (S2) over the place 0 <= u < 1 in each cell
+    numbers: Float * OPEN           # map of Phi, eq. (S2), then that of its means (binding/influence_table.py)
 
 
 HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table

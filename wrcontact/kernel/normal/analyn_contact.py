@@ -12,9 +12,8 @@ from math import isfinite
 from typing import Final
 
 from ..contact.deep_points import keep_deepest
-from ..contact.planes import give_planes, locate_along_track
-from ..contact.pressed_regions import gather_overlaps
-from ..contact.regions import bound_regions, find_regions, open_contact_region
+from ..contact.planes import locate_along_track
+from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import REGION_LIMIT, Contact, SideSearch, State, Tables
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
@@ -50,56 +49,46 @@ def solve_analyn(tables: Tables, contact: Contact, state: State, side: SideSearc
     if isfinite(prescribed):
         by_penetration = 1
     if contact.frame.pressed:
-        penetration, count, satisfied = solve_estimated(tables, contact, state, side, force,
-                                                        contact.frame.depth, by_penetration)
+        penetration, count, satisfied = solve_estimated(tables, contact, state, contact.frame.depth, force,
+                                                        by_penetration)
         return penetration, count, satisfied
     if by_penetration == 0:
         penetration = first_penetration(tables, contact, state, force)
-    count = 1
+    count = 0
     satisfied = 0
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
-        penetration, count, satisfied = solve_estimated(tables, contact, state, side, force, estimate,
+        if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
+            # it overlaps most at the end of a profile
+            return penetration, 0, 0
+        penetration, count, satisfied = solve_estimated(tables, contact, state, estimate, force,
                                                         by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, satisfied
 
 
-def solve_estimated(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
-                    estimate: float, by_penetration: int):
+def solve_estimated(tables: Tables, contact: Contact, state: State, estimate: float, force: float,
+                    by_penetration: int):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
     value 1 when the force is satisfied, else 0."""
-    count = gather_regions(tables, contact, state, side, estimate)
+    count = gather_regions(tables, contact, state, estimate)
     penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
     if satisfied == 0 and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
-        count = 1
-        if contact.frame.pressed:
-            keep_deepest(contact.overlap)
-            gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
-        else:
-            open_contact_region(tables, contact.frame, contact.regions[0], state)
-        start_penetrations(contact.regions, count, estimate)
+        keep_deepest(contact.overlap)
+        count = gather_regions(tables, contact, state, estimate)
         penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
     return penetration, count, satisfied
 
 
-def gather_regions(tables: Tables, contact: Contact, state: State, side: SideSearch, penetration: float):
-    """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
-    their number."""
+def gather_regions(tables: Tables, contact: Contact, state: State, penetration: float):
+    """Open the regions where the wheel overlaps its rail, with their first local penetrations; their
+    number."""
     for i in range(REGION_LIMIT):
         contact.regions[i].width_penetration = 0.0
         contact.regions[i].slant = 0.0
-    count = 1
-    if contact.frame.pressed:
-        count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap,
-                                state)
-    else:
-        open_contact_region(tables, contact.frame, contact.regions[0], state)
-        count = find_regions(tables, contact.frame, contact.regions, side, state, penetration)
-        count = bound_regions(tables, contact.frame, contact.regions, state, count, penetration)
-        give_planes(tables, contact.frame, contact.frames, contact.regions, state, count)
+    count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
     start_penetrations(contact.regions, count, penetration)
     return count
 
@@ -122,9 +111,6 @@ def solve_fine(tables: Tables, contact: Contact, state: State, count: int, force
         if repeat < COVER_REPEATS - 1:
             enlarge *= ENLARGED
             start = penetration
-            laid = penetration
-            if contact.frame.pressed:
-                # nodes stay where the wheel stands; there are only more of them
-                laid = contact.frame.depth
-            start_penetrations(contact.regions, count, laid)
+            # nodes stay where the wheel stands; there are only more of them
+            start_penetrations(contact.regions, count, contact.frame.depth)
     return penetration, satisfied

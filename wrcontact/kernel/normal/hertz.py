@@ -14,7 +14,7 @@ and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over 
 (kernel/binding/hertz_table.py).
 """
 
-from math import fabs, log, sqrt
+from math import log, sqrt
 from typing import Final
 
 from ..layout import HERTZ_ROW, HertzTable
@@ -23,10 +23,6 @@ from ..surface.table_cell import table_cell
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
 STEEPEST: Final[float] = 0.3
-#: d ln((b/a)^-2) / d ln(B/A) of a nearly circular ellipse; where the secants start.
-TYPICAL_SLOPE: Final[float] = 1.3
-RATIO_ITERATIONS: Final[int] = 12
-RATIO_SHARP: Final[float] = 1e-10
 
 
 def table_value(table: HertzTable, column: int, abscissa: float):
@@ -73,34 +69,6 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
     length = cosine * along + (1.0 - cosine) * across
     width = along * across / (cosine * along + (1.0 - cosine) * across)
     return length / A, width / B, nr * sqrt(length / along)
-
-
-def upright_coefficients(table: HertzTable, length: float, width: float, nr: float):
-    """A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
-
-    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows
-    from that of the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
-    """
-    target = log(width / length)
-    before = 0.0
-    missed_before = 0.0
-    ratio = target / TYPICAL_SLOPE
-    alpha = 1.0
-    beta = 1.0
-    for i in range(RATIO_ITERATIONS):
-        alpha = table_value(table, 0, ratio)
-        beta = table_value(table, 0, -ratio)
-        missed = ratio + log(beta / alpha) - target
-        if fabs(missed) < RATIO_SHARP:
-            break
-        slope = TYPICAL_SLOPE
-        if i > 0 and missed != missed_before:
-            slope = (missed - missed_before) / (ratio - before)
-        before = ratio
-        missed_before = missed
-        ratio -= missed / slope
-    share = table_value(table, 6, ratio) / nr
-    return share * length / alpha, share * width / beta, share
 
 
 def hertz_stiffness(table: HertzTable, A: float, B: float, contact_modulus: float):

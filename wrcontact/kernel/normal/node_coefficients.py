@@ -15,8 +15,8 @@ That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's
 from math import fabs, log, sqrt
 from typing import Final
 
-from ..layout import LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, NodeRun, Nodes, Region, Tables
-from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
+from ..layout import LATERAL_ADAPTIVE, NodeRun, Nodes, Region, Tables
+from .hertz import hertz_coefficients, skewed_coefficients, table_value
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case
 #: on treads.
@@ -89,9 +89,6 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     alpha_factor = 1.0
     beta_factor = 1.0
     nr_factor = 1.0
-    region.upright_a = 1.0
-    region.upright_b = 1.0
-    region.upright_share = 1.0
     if yawed == 1:
         alpha_factor, beta_factor, nr_factor = skew_factors(tables, region, nodes.A[0])
     mean = 0.5 * (region.width_low + region.width_high)
@@ -125,19 +122,11 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
 
 def skew_factors(tables: Tables, region: Region, A: float):
     """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
-    ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright
-    ellipse that cuts into the same ones."""
+    ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum."""
     table = tables.hertz
     B = 0.5 * (region.side_low + region.side_high)
     if B < FLOOR * A:
         B = FLOOR * A
     alpha, beta, nr = hertz_coefficients(table, A, B)
     skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
-    if tables.normal_model == MODEL_ANALYN_STRIP:
-        length = skewed_alpha * A
-        width = skewed_beta * B
-        upright_A, upright_B, share = upright_coefficients(table, length, width, skewed_nr)
-        region.upright_a = upright_A / A
-        region.upright_b = upright_B / B
-        region.upright_share = share
     return skewed_alpha / alpha, skewed_beta / beta, skewed_nr / nr

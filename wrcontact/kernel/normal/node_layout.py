@@ -10,7 +10,6 @@ from ..contact.regions import BEYOND
 from ..layout import (
     LATERAL_ADAPTIVE,
     LOAD_VERTICAL,
-    MODEL_ANALYN_STRIP,
     Contact,
     Frame,
     Nodes,
@@ -34,8 +33,6 @@ MEASURED: Final[float] = 0.9
 COVER: Final[float] = 1.1
 #: this share; the estimate of the local penetration is within 12 % for nine of ten poses.
 SPREAD: Final[float] = 1.25
-#: The same where strips follow, which lie beyond ANALYN's patch too (strip_placement.BEYOND).
-STRIP_SPREAD: Final[float] = 3.0
 #: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
 #: nearly closes.
 NARROWEST: Final[float] = 0.01
@@ -48,10 +45,7 @@ def zone_share(tables: Tables, A: float, side: float):
     curvatures 1 + beta may fall to 1."""
     if side < FLOOR * A:
         side = FLOOR * A
-    spread = SPREAD
-    if tables.normal_model == MODEL_ANALYN_STRIP:
-        spread = STRIP_SPREAD
-    share = spread / table_value(tables.hertz, 0, log(A / side))
+    share = SPREAD / table_value(tables.hertz, 0, log(A / side))
     if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
     return share

@@ -1,77 +1,145 @@
-"""How strips displace each other's middle lines: Phi of eq. (S2), with the mean over the width close by, eq.
-(S4)."""
+"""How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4)."""
 
-from math import fabs, log, sqrt
+from math import fabs, sqrt
 
-from ..layout import Distances, Influences, InfluenceTable, Regions, StripProblem, Strips
-from .interaction import region_lead
+from ..layout import (
+    INFLUENCE_CELLS,
+    INFLUENCE_COLUMN,
+    INFLUENCE_COLUMNS,
+    INFLUENCE_MAP,
+    InfluenceRow,
+    InfluenceTable,
+    Strip,
+    StripProblem,
+    Strips,
+)
 
 
-def measure_distances(distances: Distances, strips: Strips, regions: Regions, i: int, others: int):
-    """Logarithms of the distances between strip ``i`` and the first ``others``.
+def cubic_through_slopes(low: float, low_slope: float, high: float, high_slope: float, x: float):
+    """The cubic between two values with their slopes, at 0 <= ``x`` <= 1."""
+    rise = high - low
+    rest = 1.0 - x
+    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)))
 
-    The lead of one region over another along the track counts as distance (interaction.region_lead).
-    """
+
+def middle_influence(table: InfluenceTable, first: int, u: float):
+    """Phi, or its mean, at x = 0 and ``u`` = sqrt(t / (1 + t)); the map begins at number ``first``."""
+    place = u * float(INFLUENCE_CELLS)
+    cell = int(place)
+    if cell > INFLUENCE_CELLS - 1:
+        cell = INFLUENCE_CELLS - 1
+    at = first + 2 * cell
+    return cubic_through_slopes(table.numbers[at], table.numbers[at + 1], table.numbers[at + 2],
+                                table.numbers[at + 3], place - float(cell))
+
+
+def influence_at(table: InfluenceTable, first: int, u: float, square: float):
+    """The same at x / half-length with this ``square``."""
+    place = u * float(INFLUENCE_CELLS)
+    cell = int(place)
+    if cell > INFLUENCE_CELLS - 1:
+        cell = INFLUENCE_CELLS - 1
+    along = square / (1.0 + square) * float(INFLUENCE_COLUMNS)
+    column = int(along)
+    if column > INFLUENCE_COLUMNS - 1:
+        column = INFLUENCE_COLUMNS - 1
+    share = along - float(column)
+    at = first + INFLUENCE_COLUMN * column + 2 * cell
+    to = at + INFLUENCE_COLUMN
+    low = table.numbers[at] + share * (table.numbers[to] - table.numbers[at])
+    low_slope = table.numbers[at + 1] + share * (table.numbers[to + 1] - table.numbers[at + 1])
+    high = table.numbers[at + 2] + share * (table.numbers[to + 2] - table.numbers[at + 2])
+    high_slope = table.numbers[at + 3] + share * (table.numbers[to + 3] - table.numbers[at + 3])
+    return cubic_through_slopes(low, low_slope, high, high_slope, place - float(cell))
+
+
+def nearness(distance: float, half_length: float):
+    """sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``."""
+    return sqrt(distance / (distance + half_length))
+
+
+def mean_at(table: InfluenceTable, strip: Strip, distance: float, square: float):
+    """The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]."""
+    half = 0.5 * strip.breadth
+    near = distance - half
+    if near < 0.0:
+        near = 0.0
+    far = distance + half
+    inner = influence_at(table, INFLUENCE_MAP, nearness(near, strip.half_length), square)
+    outer = influence_at(table, INFLUENCE_MAP, nearness(far, strip.half_length), square)
+    return (far * outer - near * inner) / strip.breadth
+
+
+def fill_row(table: InfluenceTable, strips: Strips, i: int, first: int, last: int, near: InfluenceRow,
+             row: InfluenceRow):
+    """Phi of the strips ``first`` ... ``last`` - 1 at the middle of strip ``i``, and how near they are."""
     strip = strips[i]
-    for j in range(others):
-        if j != i:
-            other = strips[j]
-            apart = fabs(strip.station - other.station)
-            if strip.region != other.region:
-                lead = region_lead(regions[strip.region], regions[other.region])
-                apart = sqrt(apart * apart + lead * lead)
-            distance = log(apart)
-            distances[i][j] = distance
-            distances[j][i] = distance
+    x = strip.x + strip.lead
+    for j in range(first, last):
+        other = strips[j]
+        u = nearness(fabs(strip.place - other.place), other.half_length)
+        near[j] = u
+        apart = (x - other.x - other.lead) / other.half_length
+        row[j] = influence_at(table, 0, u, apart * apart)
     return 0
 
 
-def line_influence(table: InfluenceTable, abscissa: float):
-    """Phi of eq. (S2) at ``abscissa`` = ln(distance / half-length); at the table's end beyond it."""
-    u = (abscissa - table.start) * table.cells_per_unit
-    if not u > 0.0:
-        u = 0.0
-    if u > table.count:
-        u = table.count
-    cell = int(u)
-    u -= float(cell)
-    cubic = table.cells[cell]
-    return cubic.value + u * (cubic.slope + u * (cubic.bend + u * cubic.third))
+def fill_straight_row(table: InfluenceTable, strips: Strips, i: int, first: int, last: int,
+                      near: InfluenceRow, row: InfluenceRow):
+    """``fill_row`` without yaw: all middles lie on one line."""
+    strip = strips[i]
+    for j in range(first, last):
+        other = strips[j]
+        u = nearness(fabs(strip.place - other.place), other.half_length)
+        near[j] = u
+        row[j] = middle_influence(table, 0, u)
+    return 0
 
 
-def near_share(share: float):
-    """What the mean of Phi over a strip's width exceeds its middle value by, eq. (S4); ``share`` is
-    half-width over distance.
-
-    The series of 2 - [(1 + share) ln(1 + share) - (1 - share) ln(1 - share)] / share, up to the eighth power.
-    """
-    square = share * share
-    rest = 1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0)
-    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest))
-
-
-def fill_influences(table: InfluenceTable, problem: StripProblem):
-    """F_ij of all pairs: displacement of middle line i for y_j = 1; eqs. (S2), (S4)."""
+def fill_influences(table: InfluenceTable, problem: StripProblem, yawed: int):
+    """F_ij of all pairs: displacement of the middle of i for y_j = 1, along the normal of i; eqs. (S2),
+    (S4)."""
     strips = problem.strips
     count = problem.count
     for i in range(count):
+        strip = strips[i]
         row = problem.influences[i]
-        distances = problem.distances[i]
+        near = problem.near[i]
+        if yawed == 1:
+            fill_row(table, strips, i, 0, i, near, row)
+            fill_row(table, strips, i, i + 1, count, near, row)
+        else:
+            fill_straight_row(table, strips, i, 0, i, near, row)
+            fill_straight_row(table, strips, i, i + 1, count, near, row)
+        for j in range(i - 1, i + 2, 2):
+            if j >= 0 and j < count:
+                other = strips[j]
+                apart = (strip.x + strip.lead - other.x - other.lead) / other.half_length
+                row[j] = mean_at(table, other, fabs(strip.place - other.place), apart * apart)
+        near[i] = nearness(0.5 * strip.breadth, strip.half_length)
+        row[i] = middle_influence(table, INFLUENCE_MAP, near[i])
         for j in range(count):
-            if j != i:
-                row[j] = line_influence(table, distances[j] - strips[j].log_half_length)
-        for j in range(i - 2, i + 3):
-            if j >= 0 and j < count and j != i:
-                row[j] += near_share(0.5 * strips[j].width / fabs(strips[i].station - strips[j].station))
-        row[i] = 2.0 * log(8.0 * strips[i].half_length / strips[i].width)
-    turn_influences(problem.influences, strips, count)
+            row[j] *= strip.cos * strips[j].cos + strip.sin * strips[j].sin
     return 0
 
 
-def turn_influences(influences: Influences, strips: Strips, count: int):
-    """Multiply the influence between two strips by the cosine of the angle between their normals."""
-    for i in range(count):
-        for j in range(count):
-            if j != i:
-                influences[i][j] *= strips[i].cos * strips[j].cos + strips[i].sin * strips[j].sin
-    return 0
+def end_displacement(table: InfluenceTable, problem: StripProblem, i: int, away: float):
+    """Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal."""
+    strips = problem.strips
+    strip = strips[i]
+    near = problem.near[i]
+    x = strip.x + strip.lead + away
+    total = 0.0
+    for j in range(problem.count):
+        other = strips[j]
+        if other.y > 0.0:
+            apart = (x - other.x - other.lead) / other.half_length
+            square = apart * apart
+            if j == i:
+                influence = influence_at(table, INFLUENCE_MAP, near[i], square)
+            elif j == i - 1 or j == i + 1:
+                influence = mean_at(table, other, fabs(strip.place - other.place), square)
+            else:
+                influence = influence_at(table, 0, near[j], square)
+            total += influence * other.y * (strip.cos * other.cos + strip.sin * other.sin)
+    return total

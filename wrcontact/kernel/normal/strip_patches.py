@@ -1,11 +1,14 @@
 """From corrected strips to solved patches: each run of loaded strips that touch each other is a patch."""
 
-from math import atan
+from math import atan, pi
+from typing import Final
 
 from ..layout import (
-    REGION_LIMIT,
+    LOAD_VERTICAL,
     RULE_STRAIGHT,
     SOLVED_PATCH_LIMIT,
+    Contact,
+    Equations,
     Region,
     Regions,
     SolvedPatch,
@@ -14,60 +17,136 @@ from ..layout import (
     Strip,
     StripProblem,
     Strips,
+    Tables,
 )
 from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import root_integral
 from .strip_edges import run_edge, run_end
 
+#: Strips of a region that lie closer together than this have no slant [m].
+CLOSE: Final[float] = 1e-6
 
-def fill_from_strips(problem: StripProblem, regions: Regions, solved: SolvedPatches):
-    """Fill the solved patches from the runs of loaded strips."""
-    for index in range(REGION_LIMIT):
-        regions[index].carried = 0.0
-        regions[index].moment = 0.0
-    clear_patches(solved)
+
+def fill_from_strips(tables: Tables, contact: Contact, count: int):
+    """Fill the solved patches from the runs of loaded strips, which lie in ``count`` regions."""
+    problem = contact.strip_problem
     strips = problem.strips
-    count = problem.count
+    for index in range(count):
+        load_region(tables, contact.regions[index], problem, index)
+    add_stiffness(tables, contact.regions, problem, contact.equations, count)
+    solved = contact.solved
+    clear_patches(solved)
     first = 0
-    while first < count and solved.count < SOLVED_PATCH_LIMIT:
+    while first < problem.count and solved.count < SOLVED_PATCH_LIMIT:
         last = first
         if strips[first].line_load > 0.0:
-            last = run_end(strips, count, first)
-            start = run_edge(strips, count, first, last, -1)
-            stop = run_edge(strips, count, last, first, 1)
-            region = regions[strips[first].region]
-            index = begin_patch(solved, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
-            patch = solved.patches[index]
-            for i in range(first, last + 1):
-                add_strip(patch, regions[strips[i].region], strips[i], solved.strips[i])
-                load = strips[i].line_load * strips[i].width
-                add_part(solved, index, strips[i].region, load, load * strips[i].station)
-            patch.totals.stop = stop
-            patch.last = last
-            patch.totals.area = run_area(strips, first, last, start, stop)
-            pressure = largest_pressure(strips, first, last)
-            solved.pressure_square = pressure * pressure
-            solved.half_length_square = largest_square(strips, first, last)
-            finish_patch(solved)
+            last = run_end(strips, problem.count, first)
+            fill_run(contact.regions, solved, problem, first, last)
         first = last + 1
     finish_patches(solved)
     return 0
 
 
-def add_strip(patch: SolvedPatch, region: Region, strip: Strip, to: SolvedStrip):
-    """Add a strip of ``region`` to a patch, as the solved strip ``to``, and its load to the region."""
+def fill_run(regions: Regions, solved: SolvedPatches, problem: StripProblem, first: int, last: int):
+    """Fill the next patch from the loaded strips ``first`` ... ``last``."""
+    strips = problem.strips
+    start = run_edge(strips, problem.count, first, last, -1)
+    stop = run_edge(strips, problem.count, last, first, 1)
+    region = regions[strips[first].region]
+    index = begin_patch(solved, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
+    patch = solved.patches[index]
+    for i in range(first, last + 1):
+        add_strip(patch, strips[i], solved.strips[i])
+        load = strips[i].line_load * strips[i].width
+        add_part(solved, index, strips[i].region, load, load * strips[i].station)
+    patch.totals.stop = stop
+    patch.last = last
+    patch.totals.area = run_area(strips, first, last, start, stop)
+    pressure = largest_pressure(strips, first, last)
+    solved.pressure_square = pressure * pressure
+    solved.half_length_square = largest_square(strips, first, last)
+    finish_patch(solved)
+    return 0
+
+
+def add_strip(patch: SolvedPatch, strip: Strip, to: SolvedStrip):
+    """Add a strip to a patch, as the solved strip ``to``."""
     load = strip.line_load * strip.width
     patch.totals.load += load
     patch.totals.moment += load * strip.station
-    region.carried += load
-    region.moment += load * strip.station
     to.station = strip.station
     to.width = strip.width
-    to.x = region.x_track + region.slant * (strip.station - region.offset - region.station)
-    to.curvature = strip.curvature
+    to.x = strip.x + strip.next_lead
+    to.curvature = 2.0 * strip.A
     to.line_load = strip.line_load
     to.half_length_square = strip.half_length_square
     to.pressure_square = strip.pressure * strip.pressure
+    return 0
+
+
+def load_region(tables: Tables, region: Region, problem: StripProblem, index: int):
+    """What the strips of the region with number ``index`` carry: load, moment, the mean direction of the
+    force, and the slant of the line through their middles."""
+    strips = problem.strips
+    load = 0.0
+    moment = 0.0
+    cosines = 0.0
+    sines = 0.0
+    x = 0.0
+    for i in range(problem.count):
+        strip = strips[i]
+        if strip.region == index:
+            own = strip.line_load * strip.width
+            load += own
+            moment += own * strip.station
+            cosines += own * strip.cos
+            sines += own * strip.sin
+            x += own * (strip.x + strip.next_lead)
+    region.carried = load
+    region.moment = moment
+    region.slant = 0.0
+    if load > 0.0:
+        region.cos = cosines / load
+        region.sin = sines / load
+        if tables.load == LOAD_VERTICAL:
+            region.share = region.cos
+        slant_region(region, problem, index, moment / load, x / load)
+    return 0
+
+
+def slant_region(region: Region, problem: StripProblem, index: int, station: float, x: float):
+    """Slant of the line through the middles of a region's strips, whose load has its centre at ``station``
+    and ``x`` [m]."""
+    strips = problem.strips
+    along = 0.0
+    spread = 0.0
+    for i in range(problem.count):
+        strip = strips[i]
+        if strip.region == index:
+            own = strip.line_load * strip.width
+            away = strip.station - station
+            along += own * away * (strip.x + strip.next_lead - x)
+            spread += own * away * away
+    if spread > CLOSE * CLOSE * region.carried:
+        region.slant = along / spread
+    return 0
+
+
+def add_stiffness(tables: Tables, regions: Regions, problem: StripProblem, equations: Equations, count: int):
+    """How the load of each region follows the penetration [N/m], from the last equations that were
+    solved."""
+    for index in range(count):
+        regions[index].stiffness = 0.0
+    scale = 0.5 * pi * pi * tables.contact_modulus
+    size = 0
+    for i in range(problem.count):
+        if problem.strips[i].loaded:
+            size += 1
+    for rank in range(size):
+        row = equations[rank]
+        strip = problem.strips[int(problem.loaded[rank])]
+        region = regions[strip.region]
+        region.stiffness += scale * strip.half_length * row[size]
     return 0
 
 

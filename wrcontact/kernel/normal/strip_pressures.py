@@ -8,7 +8,7 @@ those that pull or penetrate, until none does.
 from math import pi
 from typing import Final
 
-from ..layout import Equations, Regions, State, StripProblem, Tables
+from ..layout import Equations, State, StripProblem, Tables
 from .elimination import eliminate
 
 #: All wrong strips are exchanged at once in so many rounds, then one strip in each round, which cannot go in
@@ -19,8 +19,8 @@ EXCHANGE_LIMIT: Final[int] = 200
 TOUCH: Final[float] = 1e-12
 
 
-def solve_pressures(problem: StripProblem, equations: Equations, regions: Regions, tables: Tables,
-                    state: State, force: float, prescribed: float, by_penetration: int):
+def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, state: State, force: float,
+                    prescribed: float, by_penetration: int):
     """y of all strips, and which are loaded, under ``force`` [N], or at the ``prescribed`` penetration [m]
     where ``by_penetration``; the penetration [m], and 1 if found, else 0."""
     penetration = prescribed
@@ -30,7 +30,7 @@ def solve_pressures(problem: StripProblem, equations: Equations, regions: Region
         write_equations(problem, equations, size)
         eliminate(equations, size)
         if by_penetration == 0:
-            penetration = equilibrium_penetration(problem, equations, regions, tables, size, force)
+            penetration = equilibrium_penetration(problem, equations, tables, size, force)
         read_solution(problem, equations, size, penetration)
         single = 0
         if exchange >= EXCHANGES:
@@ -59,22 +59,21 @@ def write_equations(problem: StripProblem, equations: Equations, size: int):
         influences = problem.influences[i]
         for other in range(size):
             row[other] = influences[int(problem.loaded[other])]
-        row[size] = problem.strips[i].penetration_share
+        row[size] = problem.strips[i].share
         row[size + 1] = problem.strips[i].gap
     return 0
 
 
-def equilibrium_penetration(problem: StripProblem, equations: Equations, regions: Regions, tables: Tables,
-                            size: int, force: float):
-    """Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j y_j, by each
-    region's share."""
+def equilibrium_penetration(problem: StripProblem, equations: Equations, tables: Tables, size: int,
+                            force: float):
+    """Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j y_j, as far
+    as it counts."""
     unit_load = 0.0
     rest_load = 0.0
     for rank in range(size):
         row = equations[rank]
         strip = problem.strips[int(problem.loaded[rank])]
-        # what of it counts for the prescribed force
-        half = strip.half_length * regions[strip.region].share
+        half = strip.half_length * strip.counted
         unit_load += half * row[size]
         rest_load += half * row[size + 1]
     return (force / (0.5 * pi * pi * tables.contact_modulus) + rest_load) / unit_load
@@ -105,7 +104,7 @@ def exchange_strips(problem: StripProblem, penetration: float, single: int):
                     strip.loaded = False
                     changed += 1
             else:
-                pushed = (strip.penetration_share - TOUCH) * penetration - strip.gap
+                pushed = (strip.share - TOUCH) * penetration - strip.gap
                 row = problem.influences[i]
                 for j in range(count):
                     pushed -= row[j] * strips[j].y

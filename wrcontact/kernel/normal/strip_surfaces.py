@@ -1,136 +1,197 @@
-"""What the surfaces are at each strip: gap, curvature, and ANALYN's half-length and coefficients, read from
-the region's nodes."""
+"""What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track."""
 
-from math import log, sqrt
+from math import sqrt
 from typing import Final
 
-from ..contact.arc_length import rail_abscissa
+from ..contact.contact_plane import NO_GAP, is_yawed
+from ..contact.curves import open_origin
+from ..contact.planes import enter_plane, leave_plane
+from ..contact.separation import separation
+from ..contact.traces import start_traces
 from ..layout import (
-    NODE_MIDDLE,
+    LOAD_VERTICAL,
+    LONGITUDINAL_BASIC,
+    RAIL,
+    WHEEL,
+    Contact,
     Frame,
-    Nodes,
-    NodesOfRegions,
+    Place,
     Region,
-    Regions,
+    State,
     Strip,
     StripProblem,
     Strips,
     Tables,
 )
-from ..surface.cubic import cubic_through
-from ..surface.profile_table import height_slope
+from ..surface.locus import outline_x
+from ..surface.longitudinal_curvature import longitudinal_curvature
+from ..surface.profile_table import height_slope, height_slope_bend
+from .strip_layout import length_before
+from .strip_lengths import TESTED, gap_beside, limit_lengths
 
-#: Smallest half-length, eq. (S9), as a share of the longest one, of that of the interpenetration, and of the
-#: width of the strip.  Below the last, the strip's own pressure grows without limit, and a light load misses
-#: its area by all of it.
-SHORTEST: Final[float] = 0.1
-INSIDE: Final[float] = 0.3
-SQUARE: Final[float] = 0.5
-
-
-def node_cell(strip: Strip, region: Region):
-    """The node before the middle of a strip, and the share of the way from there to the next node."""
-    u = (strip.station - region.offset - region.station) / region.spacing
-    k = int(u + float(NODE_MIDDLE)) - NODE_MIDDLE
-    if k > region.last - 1:
-        k = region.last - 1
-    if k < region.first:
-        k = region.first
-    return k, u - float(k)
+#: To what the abscissae of wheel and rail are traced [m].
+STRIP_TRACE: Final[float] = 1e-9
+#: Square of a half-length before it is known: this share of overlap / A,
+FIRST_SQUARE: Final[float] = 0.5
+#: for an overlap of no less than this share of the deepest one; and where it is more than this, the strip is
+#: taken for loaded.
+LEAST_OVERLAP: Final[float] = 0.05
+FIRST_LOADED: Final[float] = 0.3
 
 
-def read_surfaces(strip: Strip, region: Region, nodes: Nodes, k: int, x: float):
-    """Gap and curvature of a strip at the share ``x`` of the way from node ``k`` to the next one.
-
-    Under yaw the patch is tilted; the strips are those of the upright ellipse with the same half-length,
-    half-width and pressure (hertz.upright_coefficients).
-    """
-    gap = cubic_through(nodes.gap[k - 1], nodes.gap[k], nodes.gap[k + 1], nodes.gap[k + 2], x)
-    if gap < 0.0:
-        # next to a sudden rise the cubic falls below the region's smallest gap
-        gap = 0.0
-    A = nodes.A[k] + x * (nodes.A[k + 1] - nodes.A[k])
-    strip.gap = region.upright_share * region.gap + gap * region.upright_b
-    strip.A = A * region.upright_a
-    strip.curvature = 2.0 * A
-    strip.penetration_share = region.upright_share * region.alignment
+def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
+    """Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions."""
+    problem = contact.strip_problem
+    strips = problem.strips
+    contact.frame.blur = 0.0
+    for index in range(count):
+        region = contact.regions[index]
+        enter_plane(contact.frame, contact.frames, region, index)
+        started = 0
+        for i in range(problem.count):
+            strip = strips[i]
+            if strip.region == index:
+                if started == 0:
+                    start_traces(contact.frame, region.station, region.rail, region.wheel)
+                    open_origin(tables, contact.frame, contact.origin, region, 0.0)
+                    started = 1
+                trace_strip(tables, contact, state, region, strip)
+        leave_plane(contact.frame, contact.frames, region)
     return 0
 
 
-def incline_strips(tables: Tables, frame: Frame, problem: StripProblem, regions: Regions):
-    """Inclination of the rail at every strip of a pressed wheel; of another one, that of its plane."""
+def trace_strip(tables: Tables, contact: Contact, state: State, region: Region, strip: Strip):
+    """The surfaces at a strip of ``region``, whose frame is open."""
+    frame = contact.frame
+    gap, rate, bend, curvature = separation(tables, frame, contact.origin, state,
+                                            strip.station - region.offset, STRIP_TRACE)
+    strip.rise = 0.0
+    strip.overlap = -NO_GAP
+    if gap < NO_GAP:
+        strip.overlap = frame.raised + frame.depth - gap
+        strip.rise = -rate
+    height, slope = height_slope(tables.rail, frame.traces[RAIL].abscissa)
+    strip.cos = 1.0 / sqrt(1.0 + slope * slope)
+    strip.sin = slope * strip.cos
+    strip.x = 0.0
+    strip.A = 0.5 * curvature
+    strip.skew = 0.0
+    strip.wheel = frame.traces[WHEEL].abscissa
+    if is_yawed(frame) == 1:
+        strip.x = outline_x(tables, frame.place, strip.wheel)
+    return 0
+
+
+def place_on_middle(strips: Strips, count: int):
+    """Places and breadths of the strips on the curve between wheel and rail, in the middle of the overlap.
+
+    Where the rail bulges, that is shorter than the rail by half the overlap times its curvature; and it is
+    inclined by half of what the overlap rises.
+    """
+    stretch = 1.0
+    for i in range(count):
+        strip = strips[i]
+        before = i
+        after = i
+        if i > 0 and strips[i - 1].joined:
+            before = i - 1
+        if i < count - 1 and strip.joined:
+            after = i + 1
+        turned = (strips[after].sin * strips[before].cos - strips[after].cos * strips[before].sin)
+        reach = strips[after].station - strips[before].station
+        last = stretch
+        stretch = 1.0
+        if reach > 0.0 and strip.overlap > 0.0:
+            stretch = 1.0 - 0.5 * strip.overlap * turned / reach
+        strip.breadth = strip.width * stretch
+        strip.place = strip.station
+        if i > 0:
+            strip.place = strips[i - 1].place + (strip.station - strips[i - 1].station) * 0.5 * (last + stretch)
+    return 0
+
+
+def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
+    """Turn the strips to the mean of the normals of wheel and rail; what of penetration and load counts, and
+    the gap where nothing penetrates, for strips laid at the problem's penetration."""
     for i in range(problem.count):
         strip = problem.strips[i]
-        region = regions[strip.region]
-        strip.cos = frame.plane.cos
-        strip.sin = frame.plane.sin
-        if region.own:
-            strip.cos = region.cos
-            strip.sin = region.sin
-        if frame.pressed:
-            abscissa = rail_abscissa(tables, region.rail, strip.station - region.offset - region.station)
-            height, slope = height_slope(tables.rail, abscissa)
-            strip.cos = 1.0 / sqrt(1.0 + slope * slope)
-            strip.sin = slope * strip.cos
+        half = 0.5 * strip.rise
+        scale = 1.0 / sqrt(1.0 + half * half)
+        strip.share = strip.cos / frame.plane.cos
+        cosine = (strip.cos - half * strip.sin) * scale
+        strip.sin = (strip.sin + half * strip.cos) * scale
+        strip.cos = cosine
+        strip.counted = 1.0
+        if tables.load == LOAD_VERTICAL:
+            strip.counted = cosine
     return 0
 
 
-def describe_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegions):
-    """Gap, curvature, and ANALYN's half-length and load of every placed strip."""
+def profile_within(tables: Tables, y: float):
+    """Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond."""
+    wheel = tables.wheel
+    if y < wheel.start:
+        y = wheel.start
+    if y > wheel.stop:
+        y = wheel.stop
+    z, slope = height_slope(wheel, y)
+    return z
+
+
+def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
+    """A and skew of the gap beside a yawed wheel's ridge, which at a distance ``away`` along x are those of
+    the wheel there.
+
+    Along x a yawed wheel shows other parts of its profile, to either side of the ridge's.
+    """
+    if tables.longitudinal != LONGITUDINAL_BASIC:
+        across = away * place.sin_yaw * place.cos_roll
+        z, slope, bend = height_slope_bend(tables.wheel, strip.wheel)
+        before = profile_within(tables, strip.wheel - across)
+        after = profile_within(tables, strip.wheel + across)
+        mean = (before + after - 2.0 * z) / (across * across)
+        strip.A = 0.5 * longitudinal_curvature(tables, place, z, slope, mean)
+        odd = 0.5 * (after - before) - slope * across
+        strip.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)
+    return 0
+
+
+def first_lengths(tables: Tables, frame: Frame, strips: Strips, count: int):
+    """Half-lengths of the strips from their overlaps alone."""
+    deepest = 0.0
+    for i in range(count):
+        if strips[i].overlap > deepest:
+            deepest = strips[i].overlap
+    for i in range(count):
+        strip = strips[i]
+        overlap = strip.overlap
+        if overlap < LEAST_OVERLAP * deepest:
+            overlap = LEAST_OVERLAP * deepest
+        if is_yawed(frame) == 1:
+            measure_ridge(tables, frame.place, strip, TESTED * sqrt(overlap * tables.radius))
+        strip.half_length = sqrt(FIRST_SQUARE * overlap / strip.A)
+        strip.lead = 0.0
+        strip.loaded = strip.overlap > FIRST_LOADED * deepest
+    limit_lengths(strips, count)
+    return 0
+
+
+def lengths_before(tables: Tables, frame: Frame, problem: StripProblem):
+    """Half-lengths and leads of the strips from the layout before."""
     strips = problem.strips
-    count = problem.count
-    longest = 0.0
-    for i in range(count):
+    length_before(problem)
+    for i in range(problem.count):
         strip = strips[i]
-        region = regions[strip.region]
-        own = nodes[strip.region]
-        k, x = node_cell(strip, region)
-        read_surfaces(strip, region, own, k, x)
-        line = own.line[k] + x * (own.line[k + 1] - own.line[k])
-        length = own.length[k] + x * (own.length[k + 1] - own.length[k])
-        level = region.local_penetration - (own.rise[k] + x * (own.rise[k + 1] - own.rise[k]))
-        strip.load_per_square = line * length
-        loaded = 0
-        square = 0.0
-        if level > 0.0:
-            loaded = 1
-            square = level / length
-        below = problem.penetration - strip.gap / strip.penetration_share
-        below *= region.alignment
-        inside = INSIDE * INSIDE * below / length
-        if inside > square:
-            square = inside
-        strip.loaded = loaded
-        strip.half_length = sqrt(square)
-        if loaded == 1 and strip.half_length > longest:
-            longest = strip.half_length
-    limit_lengths(strips, count, longest)
-    load_one(strips, count)
+        if is_yawed(frame) == 1:
+            measure_ridge(tables, frame.place, strip, TESTED * strip.half_length)
+        strip.loaded = True
+    limit_lengths(strips, problem.count)
     return 0
 
 
-def limit_lengths(strips: Strips, count: int, longest: float):
-    """Raise half-lengths to their smallest, eq. (S9), where the longest of a loaded strip is ``longest`` [m];
-    their logarithms."""
-    for i in range(count):
-        strip = strips[i]
-        if strip.half_length < SHORTEST * longest:
-            strip.half_length = SHORTEST * longest
-        if strip.half_length < SQUARE * strip.width:
-            strip.half_length = SQUARE * strip.width
-        strip.log_half_length = log(strip.half_length)
-    return 0
-
-
-def load_one(strips: Strips, count: int):
-    """Load the strip with the smallest gap if ANALYN loads none."""
-    smallest = 0
-    found = 0
-    for i in range(count):
-        if strips[i].loaded:
-            found = 1
-        if strips[i].gap < strips[smallest].gap:
-            smallest = i
-    if found == 0:
-        strips[smallest].loaded = True
+def set_gaps(problem: StripProblem):
+    """The gap in the middle of every strip where nothing penetrates."""
+    for i in range(problem.count):
+        strip = problem.strips[i]
+        strip.gap = strip.share * problem.penetration - strip.overlap + gap_beside(strip, strip.lead)
     return 0

@@ -1,46 +1,89 @@
-"""The strip correction: ANALYN's patch, corrected by the elastic half-space (docs/method.md, section 9).
+"""The strip model: strips of the rail that press on each other through the elastic half-space
+(docs/method.md, section 9).
 
-The strips of ANALYN do not feel each other: the displacement of each is that of a Hertz ellipse with its own
-curvatures.  Here the same strips, each with a pressure p sqrt(1 - (x/a)^2) along the track, press on one
-half-space, eq. (S1):
+Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
+pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One round of
 
-1. place the strips over ANALYN's zone (strip_placement), and read gap and curvature there (strip_surfaces),
-2. solve sum_j F_ij y_j = penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
-   (strip_pressures).  F_ij is how a strip j of half-length a_j displaces the middle line of strip i, eqs.
-   (S2) and (S4) (strip_influence),
-3. correct every half-length by what the middle line's curvature along the track demands at its line load,
-   eqs. (S6)-(S9) (strip_lengths), and cut the outermost strips at the edges of the patch (strip_edges).
+1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
+   (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
+   (strip_influence),
+2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
+   gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
 
-One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, strips lose their load or are
-loaded.
+is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
+found.
 """
 
-from ..layout import Equations, NodesOfRegions, Regions, State, StripProblem, Tables
-from .strip_edges import fit_edges
-from .strip_influence import fill_influences, measure_distances
-from .strip_lengths import adopt_lengths, correct_lengths
+from typing import Final
+
+from ..contact.contact_plane import is_yawed
+from ..layout import Contact, State, Tables
+from .strip_influence import fill_influences
+from .strip_layout import FIRST_SHARE, divide_cells, strip_cells, zone_cells
+from .strip_lengths import FIRST_POWER, POWER, adopt_lengths, correct_lengths
 from .strip_pressures import solve_pressures
+from .strip_surfaces import (
+    first_lengths,
+    incline_strips,
+    lengths_before,
+    place_on_middle,
+    set_gaps,
+    trace_strips,
+)
+
+#: Sweeps of the first layout.
+FIRST_SWEEPS: Final[int] = 2
 
 
-def solve_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegions, equations: Equations,
-                 tables: Tables, state: State, force: float, by_penetration: int):
-    """Correct the described strips in sweeps, under ``force`` [N], or at ANALYN's penetration where
-    ``by_penetration``.
+def lay_strips(tables: Tables, contact: Contact, state: State, count: int, wanted: int):
+    """Divide the cells into about ``wanted`` strips, with the surfaces at each."""
+    problem = contact.strip_problem
+    divide_cells(problem, contact.regions, count, wanted)
+    trace_strips(tables, contact, state, count)
+    place_on_middle(problem.strips, problem.count)
+    incline_strips(tables, contact.frame, problem)
+    return 0
+
+
+def solve_strips(tables: Tables, contact: Contact, state: State, count: int, force: float,
+                 by_penetration: int):
+    """The strips of ``count`` regions, whose zones are known, under ``force`` [N], or at the problem's
+    penetration where ``by_penetration``.
 
     Returns the penetration [m], and 1 if every sweep found its pressures, else 0.
     """
-    for i in range(problem.count):
-        measure_distances(problem.distances, problem.strips, regions, i, i)
+    problem = contact.strip_problem
+    wanted = tables.strips
+    zone_cells(problem, count)
+    lay_strips(tables, contact, state, count, int(FIRST_SHARE * float(wanted) + 0.5))
+    first_lengths(tables, contact.frame, problem.strips, problem.count)
+    penetration, found = sweep_strips(tables, contact, state, FIRST_SWEEPS, FIRST_POWER, force,
+                                      by_penetration)
+    if found == 1:
+        adopt_lengths(problem)
+        strip_cells(problem)
+        lay_strips(tables, contact, state, count, wanted)
+        lengths_before(tables, contact.frame, problem)
+        penetration, found = sweep_strips(tables, contact, state, tables.sweeps, POWER, force,
+                                          by_penetration)
+    return penetration, found
+
+
+def sweep_strips(tables: Tables, contact: Contact, state: State, sweeps: int, power: float, force: float,
+                 by_penetration: int):
+    """So many ``sweeps`` over the strips as they lie; penetration [m], and 1 if found, else 0."""
+    problem = contact.strip_problem
+    yawed = is_yawed(contact.frame)
     penetration = problem.penetration
     found = 0
-    for sweep in range(tables.sweeps):
-        fill_influences(tables.influence, problem)
-        penetration, found = solve_pressures(problem, equations, regions, tables, state, force,
+    for sweep in range(sweeps):
+        set_gaps(problem)
+        fill_influences(tables.influence, problem, yawed)
+        penetration, found = solve_pressures(problem, contact.equations, tables, state, force,
                                              problem.penetration, by_penetration)
         if found == 0:
             return penetration, found
-        correct_lengths(tables, problem)
-        if sweep < tables.sweeps - 1:
+        correct_lengths(tables, problem, penetration, power, yawed)
+        if sweep < sweeps - 1:
             adopt_lengths(problem)
-            fit_edges(problem, regions, nodes)
     return penetration, found

@@ -1,52 +1,21 @@
-"""Rules for the iterations of the room contact (wheelset_rules.py has the method): minima and
-saddles of the gap, widths of its zones, points a given way along a curve, overlaps.
+"""Rules for the iterations of the room contact (wheelset_rules.py has the method): widths of
+zones, points a given way along a curve, overlaps.
 """
 
 from math import fabs, sqrt
 
 from ..contact.arc_length import arc_length
-from ..contact.contact_plane import normal_gap
 from ..contact.curves import curve_jet, curve_speed
 from ..contact.moves import move_across, move_arc, move_chord
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed import normal_line
-from ..contact.regions import BEYOND, PLACE_SHARP, PLACE_TRACE, find_saddle, open_region
 from ..contact.separation import separation
-from ..contact.touching import touching_pair
 from ..contact.traces import start_traces
 from ..contact.zone_width import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
 from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Place, Region, SideSearch, State, Tables
 from ..surface.locus import outline_jet
 from ..surface.profile_table import height_slope_bend
 from .intrinsics import differentiated, held, moving, rate_of, seeded
-
-
-def minimum_rule(tables: Tables, frame: Frame, region: Region, state: State, station: float):
-    """``open_region``: at the minimum the gap's rate is zero."""
-    found = open_region(tables, frame, region, state, station)
-    if found < BEYOND:
-        place = held(region.station)
-        start_traces(frame, place, held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, place, PLACE_TRACE)
-        place = moving(place, -rate / held(bend))
-        found = differentiated(open_region(tables, frame, region, state, place))
-    return found
-
-
-def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: State):
-    """``find_saddle``: at the saddle the gap's rate is zero; a sample that stands for it
-    keeps its share of the way."""
-    station, gap = find_saddle(tables, frame, low, high, state)
-    way = high.station - low.station
-    place = low.station + way * held((station - low.station) / way)
-    if frame.station == station:
-        start_traces(frame, held(station), held(frame.traces[RAIL].abscissa),
-                     held(frame.traces[WHEEL].abscissa))
-        saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), PLACE_TRACE)
-        if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
-            place = -rate / held(bend)
-    station = moving(station, place)
-    return station, gap
 
 
 def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
@@ -131,31 +100,6 @@ def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
         across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
         frame.traces[WHEEL].abscissa = moving(u, -(across - lateral) / held(stretch))
     return exists
-
-
-def pair_rule(tables: Tables, place: Place, y: float, abscissa: float, shift: float):
-    """``touching_pair``: both slopes agree, and the line between the points is normal to them."""
-    y, abscissa, depth, aside, back_shift, found = touching_pair(tables, place, y, abscissa, shift)
-    if found == 1:
-        for i in range(2):
-            z, slope, bend = height_slope_bend(tables.wheel, y)
-            y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
-            height, m, rail_bend = height_slope_bend(tables.rail, abscissa)
-            across = y_track - tables.rail_y - abscissa
-            down = z_track + shift - height
-            if i == 0:
-                mismatch = outline_slope - m
-                apart = across + down * m
-                along = stretch * (1.0 + outline_slope * m)
-                back = down * rail_bend - 1.0 - m * m
-                determinant = held(rate * back + rail_bend * along)
-                y = moving(y, -(mismatch * held(back) + held(rail_bend) * apart) / determinant)
-                abscissa = moving(abscissa, -(held(rate) * apart - held(along) * mismatch) / determinant)
-            else:
-                depth = moving(depth, (down - m * across) / sqrt(1.0 + m * m))
-                aside = moving(aside, -across)
-                back_shift = moving(back_shift, shift - down)
-    return y, abscissa, depth, aside, back_shift, found
 
 
 def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):

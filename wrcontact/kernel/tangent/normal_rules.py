@@ -1,15 +1,12 @@
 """Rules for the iterations of the room normal (wheelset_rules.py has the method): penetrations of
-regions that share a load, and Hertz's coefficients of upright axes.
+regions that share a load.
 """
 
-from math import log
-
-from ..layout import HertzTable, State, Tables, Work
+from ..layout import State, Tables, Work
 from ..normal.analyn import load_regions, region_load, solve_penetrations
 from ..normal.elimination import eliminate
-from ..normal.hertz import table_value, upright_coefficients
 from ..normal.interaction import region_influence
-from .intrinsics import held, moving, rate_of, seeded
+from .intrinsics import held, rate_of, seeded
 
 
 def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float,
@@ -71,19 +68,3 @@ def penetrations_rule(work: Work, tables: Tables, state: State, count: int, forc
     load_regions(regions, nodes, count)
     penetration = seeded(penetration, last[size])
     return penetration, satisfied
-
-
-def upright_rule(table: HertzTable, length: float, width: float, nr: float):
-    """``upright_coefficients``: ratio + log((1 + beta)/(1 + alpha)) = log(width / length),
-    over ratio = log(B/A)."""
-    A, B, share = upright_coefficients(table, length, width, nr)
-    ratio = seeded(log(held(B) / held(A)), 1.0)
-    change = log(table_value(table, 0, -ratio) / table_value(table, 0, ratio))
-    slope = 1.0 + rate_of(change)
-    ratio = moving(ratio, log(width / length) / slope)
-    alpha = table_value(table, 0, ratio)
-    beta = table_value(table, 0, -ratio)
-    share = moving(share, table_value(table, 6, ratio) / nr)
-    A = moving(A, share * length / alpha)
-    B = moving(B, share * width / beta)
-    return A, B, share
