@@ -5,11 +5,11 @@ from .numbers import frozen, whole
 
 #: Resolution by falling tolerance.
 STRIP_LADDER = {
-    0.025: Resolution(8, 2, 16, 1),
-    0.015: Resolution(8, 1, 20, 2),
-    0.01: Resolution(15, 2, 24, 2),
-    0.007: Resolution(15, 1, 32, 2),
-    0.004: Resolution(22, 1, 48, 3),
+    0.025: Resolution(8, 2, 16, 2),
+    0.015: Resolution(8, 2, 20, 2),
+    0.01: Resolution(8, 2, 24, 3),
+    0.007: Resolution(8, 2, 32, 3),
+    0.004: Resolution(8, 2, 48, 4),
 }
 
 

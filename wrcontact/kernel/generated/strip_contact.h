@@ -16,6 +16,7 @@
 #include "strip_zones.h"
 #include "strips.h"
 
-static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t strip_contact__strip_contact(double* result_0, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
 #endif

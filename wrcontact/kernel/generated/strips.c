@@ -28,58 +28,90 @@ static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d t
     return INT64_C(0);
 }
 
-/* The strips of ``count`` regions, whose zones are known, under ``force`` [N], or at the problem's
- * penetration where ``by_penetration``.
- *
- * Returns the penetration [m], and 1 if every sweep found its pressures, else 0.
+/* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
+ * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and 1 if found, else 0.
  */
-static inline int64_t strips__solve_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
+static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
 {
-    int64_t wanted;
-    wanted = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)));
-    strip_layout__zone_cells(work, count);
-    strips__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)(wanted) + 0.5));
-    strip_surfaces__first_lengths(work, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    strips__sweep_strips(penetration, found, work, tables, state, strips__FIRST_SWEEPS, strip_lengths__FIRST_POWER, force, by_penetration);
-    if ((*found) == INT64_C(1))
-    {
-        strip_lengths__adopt_lengths(work);
-        strip_layout__strip_cells(work);
-        strips__lay_strips(work, tables, state, count, wanted);
-        strip_surfaces__lengths_before(work, tables);
-        strips__sweep_strips(penetration, found, work, tables, state, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), strip_lengths__POWER, force, by_penetration);
-    }
-    return 0;
-}
-
-/* So many ``sweeps`` over the strips as they lie; penetration [m], and 1 if found, else 0. */
-static inline int64_t strips__sweep_strips(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t sweeps, double power, double force, int64_t by_penetration)
-{
-    int64_t yawed;
     double penetration;
     int64_t found;
     int64_t sweep;
-    yawed = contact_plane__is_yawed(work);
+    strip_layout__zone_cells(work, count);
+    strips__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    strip_surfaces__first_lengths(work, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);
-    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        strip_surfaces__set_gaps(work);
-        strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-        strip_pressures__solve_pressures(&penetration, &found, work, tables, state, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__FIRST_POWER, force, by_penetration);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
             (*result_1) = found;
             return 0;
         }
-        strip_lengths__correct_lengths(work, tables, penetration, power, yawed);
-        if (sweep < sweeps - INT64_C(1))
+        strip_lengths__adopt_lengths(work);
+    }
+    strip_layout__strip_cells(work);
+    (*result_0) = penetration;
+    (*result_1) = found;
+    return 0;
+}
+
+/* Strips that are laid by the pressures of the first layout, solved; results as there.
+ *
+ * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries that,
+ * the strips are those of a wheel that is pressed so deep.
+ */
+static inline int64_t strips__second_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
+{
+    double penetration;
+    int64_t found;
+    int64_t sweep_end;
+    int64_t sweep;
+    int64_t given;
+    strips__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    strip_surfaces__lengths_before(work, tables);
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = INT64_C(0);
+    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
+    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
+    {
+        given = INT64_C(1);
+        if ((sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        {
+            given = by_penetration;
+        }
+        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__POWER, force, given);
+        if (found == INT64_C(0))
+        {
+            (*result_0) = penetration;
+            (*result_1) = found;
+            return 0;
+        }
+        if (sweep < (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
         {
             strip_lengths__adopt_lengths(work);
         }
     }
     (*result_0) = penetration;
     (*result_1) = found;
+    return 0;
+}
+
+/* Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
+ * 0.
+ */
+static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration)
+{
+    int64_t yawed;
+    yawed = contact_plane__is_yawed(work);
+    strip_surfaces__set_gaps(work);
+    strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
+    strip_pressures__solve_pressures(penetration, found, work, tables, state, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+    if ((*found) == INT64_C(1))
+    {
+        strip_lengths__correct_lengths(work, tables, (*penetration), power, yawed);
+    }
     return 0;
 }

@@ -16,6 +16,7 @@
 #include "tangent_strip_zones.h"
 #include "tangent_strips.h"
 
-static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t tangent_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
+static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, double* result_1, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 #endif

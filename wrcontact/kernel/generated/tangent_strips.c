@@ -15,43 +15,22 @@ static inline int64_t tangent_strips__lay_strips_t(array_double_1d work, array_d
     return INT64_C(0);
 }
 
-/* Tangent of ``solve_strips``. */
-static inline int64_t tangent_strips__solve_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration)
+/* Tangent of ``first_layout``. */
+static inline int64_t tangent_strips__first_layout_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration)
 {
-    int64_t wanted;
-    wanted = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)));
-    tangent_strip_layout__zone_cells_t(work, work_t, count);
-    tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)(wanted) + 0.5));
-    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    tangent_strips__sweep_strips_t(penetration, penetration_t, found, work, work_t, tables, state, strips__FIRST_SWEEPS, strip_lengths__FIRST_POWER, 0.0, force, force_t, by_penetration);
-    if ((*found) == INT64_C(1))
-    {
-        tangent_strip_lengths__adopt_lengths_t(work, work_t);
-        tangent_strip_layout__strip_cells_t(work, work_t);
-        tangent_strips__lay_strips_t(work, work_t, tables, state, count, wanted);
-        tangent_strip_surfaces__lengths_before_t(work, work_t, tables);
-        tangent_strips__sweep_strips_t(penetration, penetration_t, found, work, work_t, tables, state, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), strip_lengths__POWER, 0.0, force, force_t, by_penetration);
-    }
-    return 0;
-}
-
-/* Tangent of ``sweep_strips``. */
-static inline int64_t tangent_strips__sweep_strips_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t sweeps, double power, double power_t, double force, double force_t, int64_t by_penetration)
-{
-    int64_t yawed;
     double penetration_t;
     double penetration;
     int64_t found;
     int64_t sweep;
-    yawed = contact_plane__is_yawed(work);
+    tangent_strip_layout__zone_cells_t(work, work_t, count);
+    tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);
-    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        tangent_strip_surfaces__set_gaps_t(work, work_t);
-        tangent_strip_influence__fill_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-        tangent_strip_pressures__solve_pressures_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__FIRST_POWER, 0.0, force, force_t, by_penetration);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
@@ -59,8 +38,46 @@ static inline int64_t tangent_strips__sweep_strips_t(double* result_0, double* r
             (*result_2) = found;
             return 0;
         }
-        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, power, power_t, yawed);
-        if (sweep < sweeps - INT64_C(1))
+        tangent_strip_lengths__adopt_lengths_t(work, work_t);
+    }
+    tangent_strip_layout__strip_cells_t(work, work_t);
+    (*result_0) = penetration;
+    (*result_1) = penetration_t;
+    (*result_2) = found;
+    return 0;
+}
+
+/* Tangent of ``second_layout``. */
+static inline int64_t tangent_strips__second_layout_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration)
+{
+    double penetration_t;
+    double penetration;
+    int64_t found;
+    int64_t sweep_end;
+    int64_t sweep;
+    int64_t given;
+    tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    tangent_strip_surfaces__lengths_before_t(work, work_t, tables);
+    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = INT64_C(0);
+    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
+    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
+    {
+        given = INT64_C(1);
+        if ((sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        {
+            given = by_penetration;
+        }
+        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__POWER, 0.0, force, force_t, given);
+        if (found == INT64_C(0))
+        {
+            (*result_0) = penetration;
+            (*result_1) = penetration_t;
+            (*result_2) = found;
+            return 0;
+        }
+        if (sweep < (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
         {
             tangent_strip_lengths__adopt_lengths_t(work, work_t);
         }
@@ -68,5 +85,20 @@ static inline int64_t tangent_strips__sweep_strips_t(double* result_0, double* r
     (*result_0) = penetration;
     (*result_1) = penetration_t;
     (*result_2) = found;
+    return 0;
+}
+
+/* Tangent of ``sweep_strips``. */
+static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double power, double power_t, double force, double force_t, int64_t by_penetration)
+{
+    int64_t yawed;
+    yawed = contact_plane__is_yawed(work);
+    tangent_strip_surfaces__set_gaps_t(work, work_t);
+    tangent_strip_influence__fill_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
+    tangent_strip_pressures__solve_pressures_t(penetration, penetration_t, found, work, work_t, tables, state, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+    if ((*found) == INT64_C(1))
+    {
+        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), power, power_t, yawed);
+    }
     return 0;
 }

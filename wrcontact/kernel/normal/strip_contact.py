@@ -9,30 +9,52 @@ from ..layout import Contact, SideSearch, State, Tables
 from .estimate import first_penetration
 from .strip_patches import fill_from_strips
 from .strip_zones import find_zones
-from .strips import solve_strips
+from .strips import first_layout, second_layout
 
 
 def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                   prescribed: float):
     """Fill the solved patches by strips; penetration [m], number of regions, and 1 when the force is
-    satisfied, else 0."""
+    satisfied, else 0.
+
+    A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
+    have found there.
+    """
     by_penetration = 0
     if isfinite(prescribed):
         by_penetration = 1
-    if not contact.frame.pressed:
-        penetration = prescribed
-        if by_penetration == 0:
-            penetration = first_penetration(tables, contact, state, force)
-        if sink_wheel(tables, contact.frame, contact.overlap, side, state, penetration) == 0:
-            # it overlaps most at the end of a profile
-            return penetration, 0, 0
     problem = contact.strip_problem
-    problem.penetration = contact.frame.depth
-    count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
-    locate_along_track(tables, contact.frame, contact.regions, count)
-    deepest = contact.overlap.points[deepest_entry(contact.overlap)]
-    find_zones(tables, contact, state, count, deepest.depth)
-    penetration, satisfied = solve_strips(tables, contact, state, count, force, by_penetration)
+    if contact.frame.pressed:
+        # where it is, it has its penetration
+        count = open_zones(tables, contact, state)
+        penetration, satisfied = first_layout(tables, contact, state, count, force, 1)
+    else:
+        estimate = prescribed
+        if by_penetration == 0:
+            estimate = first_penetration(tables, contact, state, force)
+        if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
+            # it overlaps most at the end of a profile
+            return estimate, 0, 0
+        count = open_zones(tables, contact, state)
+        penetration, satisfied = first_layout(tables, contact, state, count, force, by_penetration)
+        if satisfied == 1 and by_penetration == 0:
+            if sink_wheel(tables, contact.frame, contact.overlap, side, state, penetration) == 0:
+                return penetration, 0, 0
+            count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap,
+                                    state)
+            problem.penetration = penetration
     if satisfied == 1:
+        penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)
+    if satisfied == 1:
+        locate_along_track(tables, contact.frame, contact.regions, count)
         fill_from_strips(tables, contact, count)
     return penetration, count, satisfied
+
+
+def open_zones(tables: Tables, contact: Contact, state: State):
+    """Open the regions where the wheel overlaps its rail, and their zones; how many."""
+    contact.strip_problem.penetration = contact.frame.depth
+    count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
+    deepest = contact.overlap.points[deepest_entry(contact.overlap)]
+    find_zones(tables, contact, state, count, deepest.depth)
+    return count

@@ -45,45 +45,59 @@ def lay_strips(tables: Tables, contact: Contact, state: State, count: int, wante
     return 0
 
 
-def solve_strips(tables: Tables, contact: Contact, state: State, count: int, force: float,
+def first_layout(tables: Tables, contact: Contact, state: State, count: int, force: float,
                  by_penetration: int):
-    """The strips of ``count`` regions, whose zones are known, under ``force`` [N], or at the problem's
-    penetration where ``by_penetration``.
-
-    Returns the penetration [m], and 1 if every sweep found its pressures, else 0.
-    """
+    """Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
+    penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and 1 if found, else 0."""
     problem = contact.strip_problem
-    wanted = tables.strips
     zone_cells(problem, count)
-    lay_strips(tables, contact, state, count, int(FIRST_SHARE * float(wanted) + 0.5))
+    lay_strips(tables, contact, state, count, int(FIRST_SHARE * float(tables.strips) + 0.5))
     first_lengths(tables, contact.frame, problem.strips, problem.count)
-    penetration, found = sweep_strips(tables, contact, state, FIRST_SWEEPS, FIRST_POWER, force,
-                                      by_penetration)
-    if found == 1:
+    penetration = problem.penetration
+    found = 0
+    for sweep in range(FIRST_SWEEPS):
+        penetration, found = sweep_strips(tables, contact, state, FIRST_POWER, force, by_penetration)
+        if found == 0:
+            return penetration, found
         adopt_lengths(problem)
-        strip_cells(problem)
-        lay_strips(tables, contact, state, count, wanted)
-        lengths_before(tables, contact.frame, problem)
-        penetration, found = sweep_strips(tables, contact, state, tables.sweeps, POWER, force,
-                                          by_penetration)
+    strip_cells(problem)
     return penetration, found
 
 
-def sweep_strips(tables: Tables, contact: Contact, state: State, sweeps: int, power: float, force: float,
-                 by_penetration: int):
-    """So many ``sweeps`` over the strips as they lie; penetration [m], and 1 if found, else 0."""
+def second_layout(tables: Tables, contact: Contact, state: State, count: int, force: float,
+                  by_penetration: int):
+    """Strips that are laid by the pressures of the first layout, solved; results as there.
+
+    Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries that,
+    the strips are those of a wheel that is pressed so deep.
+    """
     problem = contact.strip_problem
-    yawed = is_yawed(contact.frame)
+    lay_strips(tables, contact, state, count, tables.strips)
+    lengths_before(tables, contact.frame, problem)
     penetration = problem.penetration
     found = 0
-    for sweep in range(sweeps):
-        set_gaps(problem)
-        fill_influences(tables.influence, problem, yawed)
-        penetration, found = solve_pressures(problem, contact.equations, tables, state, force,
-                                             problem.penetration, by_penetration)
+    for sweep in range(tables.sweeps):
+        given = 1
+        if sweep == tables.sweeps - 1 or contact.frame.sunk:
+            given = by_penetration
+        penetration, found = sweep_strips(tables, contact, state, POWER, force, given)
         if found == 0:
             return penetration, found
-        correct_lengths(tables, problem, penetration, power, yawed)
-        if sweep < sweeps - 1:
+        if sweep < tables.sweeps - 1:
             adopt_lengths(problem)
+    return penetration, found
+
+
+def sweep_strips(tables: Tables, contact: Contact, state: State, power: float, force: float,
+                 by_penetration: int):
+    """Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
+    0."""
+    problem = contact.strip_problem
+    yawed = is_yawed(contact.frame)
+    set_gaps(problem)
+    fill_influences(tables.influence, problem, yawed)
+    penetration, found = solve_pressures(problem, contact.equations, tables, state, force,
+                                         problem.penetration, by_penetration)
+    if found == 1:
+        correct_lengths(tables, problem, penetration, power, yawed)
     return penetration, found
