@@ -185,45 +185,102 @@ static inline int64_t strip_influence__fill_influences(array_double_1d tables, a
     return INT64_C(0);
 }
 
-/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
-static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
+/* What the loaded strips ``first`` ... ``last`` - 1 displace at the place of strip ``i`` and ``x`` [m],
+ * along its normal: ``influence_at`` for each.
+ */
+static inline double strip_influence__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last)
 {
-    int64_t strip;
     int64_t near;
-    double x;
-    int64_t j_end;
+    double cosine;
+    double sine;
     int64_t j;
     int64_t other;
     double apart;
     double square;
+    double along;
+    int64_t column;
+    double share;
+    double place;
+    int64_t cell;
+    int64_t at;
+    int64_t to;
+    double low;
+    double low_slope;
+    double high;
+    double high_slope;
     double influence;
     double total;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
     total = 0.0;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    for (j = first; j < last; j += INT64_C(1))
     {
         other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
         if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            apart = (x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+            apart = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
             square = apart * apart;
-            if (j == i)
+            along = square / (square + (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))) * (double)(layout__INFLUENCE_COLUMNS);
+            column = (int64_t)(along);
+            share = along - (double)(column);
+            place = (*cspan_at(&work, near + j)) * (double)(layout__INFLUENCE_CELLS);
+            cell = (int64_t)(place);
+            at = layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+            to = at + layout__INFLUENCE_COLUMN;
+            low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
+            low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))));
+            high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+            high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))));
+            influence = strip_influence__cubic_through_slopes(low, low_slope, high, high_slope, place - (double)(cell));
+            total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * (cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN)));
+        }
+    }
+    return total;
+}
+
+/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
+static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
+{
+    int64_t count;
+    int64_t strip;
+    double x;
+    double apart;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t other;
+    double influence;
+    double total;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    apart = away / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+    total = (*cspan_at(&work, strip + layout__STRIP_Y)) * strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), apart * apart);
+    first = i;
+    last = i + INT64_C(1);
+    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    {
+        if ((j >= INT64_C(0)) && (j < count))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            if (j < i)
             {
-                influence = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), square);
-            }
-            else if ((j == i - INT64_C(1)) || (j == i + INT64_C(1)))
-            {
-                influence = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), square);
+                first = j;
             }
             else
             {
-                influence = strip_influence__influence_at(tables, table, INT64_C(0), (*cspan_at(&work, near + j)), square);
+                last = j + INT64_C(1);
             }
-            total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+            {
+                apart = (x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                influence = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), apart * apart);
+                total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+            }
         }
     }
+    total += strip_influence__far_displacement(tables, work, table, i, x, INT64_C(0), first);
+    total += strip_influence__far_displacement(tables, work, table, i, x, last, count);
     return total;
 }

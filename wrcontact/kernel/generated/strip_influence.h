@@ -17,6 +17,7 @@ static inline double strip_influence__mean_at(array_double_1d tables, array_doub
 static inline int64_t strip_influence__fill_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
 static inline int64_t strip_influence__fill_straight_row(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
 static inline int64_t strip_influence__fill_influences(array_double_1d tables, array_double_1d work, int64_t table, int64_t yawed);
+static inline double strip_influence__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
 static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 
 #endif

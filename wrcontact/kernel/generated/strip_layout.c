@@ -93,6 +93,7 @@ static inline int64_t strip_layout__strip_cells(array_double_1d work)
         (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
         (*cspan_at(&work, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
         (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
+        (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
         weight = strip_layout__EVEN * strip_layout__loaded_share(work, count, i, largest) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / width;
         if (change > 0.0)
         {
@@ -289,6 +290,11 @@ static inline int64_t strip_layout__length_before(array_double_1d work)
         rest = 1.0 - share;
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
         (*cspan_at(&work, strip + layout__STRIP_LEAD)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD));
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LOADED)) == 1.0);
+        if (share > 0.5)
+        {
+            (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LOADED)) == 1.0);
+        }
     }
     return INT64_C(0);
 }

@@ -246,7 +246,6 @@ static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array
         {
             strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
         }
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
     }
     strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);

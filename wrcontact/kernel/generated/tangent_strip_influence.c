@@ -317,75 +317,182 @@ static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d
     return INT64_C(0);
 }
 
-/* Tangent of ``end_displacement``. */
-static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
+/* Tangent of ``far_displacement``. */
+static inline int64_t tangent_strip_influence__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last)
 {
-    int64_t strip;
     int64_t near;
-    double x_t;
-    double x;
-    int64_t j_end;
+    double cosine_t;
+    double cosine;
+    double sine_t;
+    double sine;
     int64_t j;
     int64_t other;
-    double v1;
-    double v2;
     double apart_t;
     double apart;
     double square_t;
     double square;
+    double v1;
+    double v2;
     double v3;
-    double v3_t;
+    double along_t;
+    double along;
+    int64_t column;
+    double share_t;
+    double share;
+    double v4;
+    double place_t;
+    double place;
+    int64_t cell;
+    int64_t at;
+    int64_t to;
+    double v5;
+    double low_t;
+    double low;
+    double v6;
+    double low_slope_t;
+    double low_slope;
+    double v7;
+    double high_t;
+    double high;
+    double v8;
+    double high_slope_t;
+    double high_slope;
+    double v9;
+    double v9_t;
     double influence_t;
     double influence;
-    double v5;
-    double v4;
-    double v4_t;
-    double v6;
-    double v6_t;
-    double v7;
-    double v8;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    double v10;
+    double v11;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
+    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
     (*total_t) = 0.0;
     (*total) = 0.0;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    for (j = first; j < last; j += INT64_C(1))
     {
         other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
         if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            v1 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
-            v2 = v1 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-            apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v2 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-            apart = v2;
+            apart_t = x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD));
+            apart = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
             square_t = apart_t * apart + apart * apart_t;
             square = apart * apart;
-            if (j == i)
+            v1 = square + (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+            v2 = square / v1;
+            v3 = (double)(layout__INFLUENCE_COLUMNS);
+            along_t = (square_t - v2 * (square_t + ((*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))))) / v1 * v3;
+            along = v2 * v3;
+            column = (int64_t)(along);
+            share_t = along_t;
+            share = along - (double)(column);
+            v4 = (double)(layout__INFLUENCE_CELLS);
+            place_t = (*cspan_at(&work_t, near + j)) * v4;
+            place = (*cspan_at(&work, near + j)) * v4;
+            cell = (int64_t)(place);
+            at = layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+            to = at + layout__INFLUENCE_COLUMN;
+            v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
+            low_t = share_t * v5;
+            low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v5;
+            v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
+            low_slope_t = share_t * v6;
+            low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v6;
+            v7 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+            high_t = share_t * v7;
+            high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v7;
+            v8 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
+            high_slope_t = share_t * v8;
+            high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v8;
+            tangent_strip_influence__cubic_through_slopes_t(&v9, &v9_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
+            influence_t = v9_t;
+            influence = v9;
+            v10 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
+            v11 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v11 + v10 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+            (*total) = (*total) + v10 * v11;
+        }
+    }
+    return 0;
+}
+
+/* Tangent of ``end_displacement``. */
+static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
+{
+    int64_t count;
+    int64_t strip;
+    double x_t;
+    double x;
+    double v1;
+    double apart_t;
+    double apart;
+    double v2;
+    double v2_t;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t other;
+    double v3;
+    double v4;
+    double v6;
+    double v5;
+    double v5_t;
+    double influence_t;
+    double influence;
+    double v7;
+    double v8;
+    double v9;
+    double v9_t;
+    double v10;
+    double v10_t;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    v1 = away / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+    apart_t = (away_t - v1 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+    apart = v1;
+    tangent_strip_influence__influence_at_t(&v2, &v2_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), apart * apart, apart_t * apart + apart * apart_t);
+    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v2 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v2_t;
+    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v2;
+    first = i;
+    last = i + INT64_C(1);
+    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    {
+        if ((j >= INT64_C(0)) && (j < count))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            if (j < i)
             {
-                tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), (*cspan_at(&work_t, near + i)), square, square_t);
-                influence_t = v3_t;
-                influence = v3;
-            }
-            else if ((j == i - INT64_C(1)) || (j == i + INT64_C(1)))
-            {
-                v5 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                tangent_strip_influence__mean_at_t(&v4, &v4_t, tables, work, work_t, table, other, fabs(v5), tangent_rates__size_rate(v5, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), square, square_t);
-                influence_t = v4_t;
-                influence = v4;
+                first = j;
             }
             else
             {
-                tangent_strip_influence__influence_at_t(&v6, &v6_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), square, square_t);
-                influence_t = v6_t;
-                influence = v6;
+                last = j + INT64_C(1);
             }
-            v7 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
-            v8 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v8 + v7 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-            (*total) = (*total) + v7 * v8;
+            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+            {
+                v3 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
+                v4 = v3 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v4 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+                apart = v4;
+                v6 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                tangent_strip_influence__mean_at_t(&v5, &v5_t, tables, work, work_t, table, other, fabs(v6), tangent_rates__size_rate(v6, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), apart * apart, apart_t * apart + apart * apart_t);
+                influence_t = v5_t;
+                influence = v5;
+                v7 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
+                v8 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v8 + v7 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+                (*total) = (*total) + v7 * v8;
+            }
         }
     }
+    tangent_strip_influence__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
+    (*total_t) = (*total_t) + v9_t;
+    (*total) = (*total) + v9;
+    tangent_strip_influence__far_displacement_t(&v10, &v10_t, tables, work, work_t, table, i, x, x_t, last, count);
+    (*total_t) = (*total_t) + v10_t;
+    (*total) = (*total) + v10;
     return 0;
 }

@@ -18,6 +18,7 @@ static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* res
 static inline int64_t tangent_strip_influence__fill_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
 static inline int64_t tangent_strip_influence__fill_straight_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row);
 static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t yawed);
+static inline int64_t tangent_strip_influence__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last);
 static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t);
 
 #endif

@@ -127,6 +127,8 @@ static inline int64_t tangent_strip_layout__strip_cells_t(array_double_1d work, 
         (*cspan_at(&work, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
         (*cspan_at(&work_t, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
         (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
+        (*cspan_at(&work_t, cell + layout__STRIP_CELL_LOADED)) = 0.0;
+        (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
         tangent_strip_layout__loaded_share_t(&v3, &v3_t, work, work_t, count, i, largest, largest_t);
         v4 = strip_layout__EVEN * v3;
         v5 = v4 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
@@ -413,6 +415,13 @@ static inline int64_t tangent_strip_layout__length_before_t(array_double_1d work
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
         (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = rest_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + rest * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)));
         (*cspan_at(&work, strip + layout__STRIP_LEAD)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD));
+        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LOADED)) == 1.0);
+        if (share > 0.5)
+        {
+            (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+            (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LOADED)) == 1.0);
+        }
     }
     return INT64_C(0);
 }

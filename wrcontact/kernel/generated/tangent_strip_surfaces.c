@@ -378,8 +378,6 @@ static inline int64_t tangent_strip_surfaces__lengths_before_t(array_double_1d w
         {
             tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
     }
     tangent_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);

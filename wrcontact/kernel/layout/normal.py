@@ -43,6 +43,7 @@ class StripCell:
     weight: float                   # its share of the strips, over that of all cells
     half_length: float              # of the strip that was there before [m], and how far
     lead: float                     # the middle of that was before the ridge [m]
+    loaded: bool                    # whether it was
 
 
 @record

@@ -123,23 +123,56 @@ def fill_influences(table: InfluenceTable, problem: StripProblem, yawed: int):
     return 0
 
 
+def far_displacement(table: InfluenceTable, problem: StripProblem, i: int, x: float, first: int, last: int):
+    """What the loaded strips ``first`` ... ``last`` - 1 displace at the place of strip ``i`` and ``x`` [m],
+    along its normal: ``influence_at`` for each."""
+    strips = problem.strips
+    near = problem.near[i]
+    cosine = strips[i].cos
+    sine = strips[i].sin
+    total = 0.0
+    for j in range(first, last):
+        other = strips[j]
+        if other.y > 0.0:
+            apart = x - other.x - other.lead
+            square = apart * apart
+            along = square / (square + other.half_length * other.half_length) * float(INFLUENCE_COLUMNS)
+            column = int(along)
+            share = along - float(column)
+            place = near[j] * float(INFLUENCE_CELLS)
+            cell = int(place)
+            at = INFLUENCE_COLUMN * column + 2 * cell
+            to = at + INFLUENCE_COLUMN
+            low = table.numbers[at] + share * (table.numbers[to] - table.numbers[at])
+            low_slope = table.numbers[at + 1] + share * (table.numbers[to + 1] - table.numbers[at + 1])
+            high = table.numbers[at + 2] + share * (table.numbers[to + 2] - table.numbers[at + 2])
+            high_slope = table.numbers[at + 3] + share * (table.numbers[to + 3] - table.numbers[at + 3])
+            influence = cubic_through_slopes(low, low_slope, high, high_slope, place - float(cell))
+            total += influence * other.y * (cosine * other.cos + sine * other.sin)
+    return total
+
+
 def end_displacement(table: InfluenceTable, problem: StripProblem, i: int, away: float):
     """Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal."""
     strips = problem.strips
+    count = problem.count
     strip = strips[i]
-    near = problem.near[i]
     x = strip.x + strip.lead + away
-    total = 0.0
-    for j in range(problem.count):
-        other = strips[j]
-        if other.y > 0.0:
-            apart = (x - other.x - other.lead) / other.half_length
-            square = apart * apart
-            if j == i:
-                influence = influence_at(table, INFLUENCE_MAP, near[i], square)
-            elif j == i - 1 or j == i + 1:
-                influence = mean_at(table, other, fabs(strip.place - other.place), square)
+    apart = away / strip.half_length
+    total = strip.y * influence_at(table, INFLUENCE_MAP, problem.near[i][i], apart * apart)
+    first = i
+    last = i + 1
+    for j in range(i - 1, i + 2, 2):
+        if j >= 0 and j < count:
+            other = strips[j]
+            if j < i:
+                first = j
             else:
-                influence = influence_at(table, 0, near[j], square)
-            total += influence * other.y * (strip.cos * other.cos + strip.sin * other.sin)
+                last = j + 1
+            if other.y > 0.0:
+                apart = (x - other.x - other.lead) / other.half_length
+                influence = mean_at(table, other, fabs(strip.place - other.place), apart * apart)
+                total += influence * other.y * (strip.cos * other.cos + strip.sin * other.sin)
+    total += far_displacement(table, problem, i, x, 0, first)
+    total += far_displacement(table, problem, i, x, last, count)
     return total

@@ -69,6 +69,7 @@ def strip_cells(problem: StripProblem):
         cell.stop = strip.station + 0.5 * strip.width
         cell.half_length = strip.half_length
         cell.lead = strip.lead
+        cell.loaded = strip.pressure > 0.0
         weight = EVEN * loaded_share(strips, count, i, largest) * strip.width / width
         if change > 0.0:
             weight += (1.0 - EVEN) * 0.5 * pressure_changes(strips, count, i) / change
@@ -183,6 +184,9 @@ def length_before(problem: StripProblem):
         rest = 1.0 - share
         strip.half_length = rest * cells[index].half_length + share * cells[after].half_length
         strip.lead = rest * cells[index].lead + share * cells[after].lead
+        strip.loaded = cells[index].loaded
+        if share > 0.5:
+            strip.loaded = cells[after].loaded
     return 0
 
 

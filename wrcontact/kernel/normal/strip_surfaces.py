@@ -184,7 +184,6 @@ def lengths_before(tables: Tables, frame: Frame, problem: StripProblem):
         strip = strips[i]
         if is_yawed(frame) == 1:
             measure_ridge(tables, frame.place, strip, TESTED * strip.half_length)
-        strip.loaded = True
     limit_lengths(strips, problem.count)
     return 0
 
