@@ -90,6 +90,7 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_dou
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
+    nodes__bring_nearer(work, region, nodes);
     node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {

@@ -71,6 +71,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
+    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(work, tables);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
@@ -79,6 +80,40 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
     after = nodes__lay_side_nodes(work, tables, state, region, nodes, INT64_C(1), high_reach, rate);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
+    return INT64_C(0);
+}
+
+/* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
+static inline double nodes__turn_cosine(array_double_1d work, array_double_1d tables)
+{
+    double height;
+    double slope;
+    double result;
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    result = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) / sqrt(1.0 + slope * slope);
+    return result;
+}
+
+/* Let the gap rise less where a region turns.
+ *
+ * A load displaces the surface beside it along the normal there by the cosine of the angle between the two
+ * normals, so that what the load in the middle displaces is missing there: of the level that is left at a
+ * node, the share 1 / cosine - 1 counts less as gap.
+ */
+static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes)
+{
+    int64_t k_end;
+    int64_t k;
+    double level;
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        if ((level > 0.0) && ((*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) > nodes__LEAST_TURN))
+        {
+            (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) -= level * (1.0 / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) - 1.0);
+        }
+    }
     return INT64_C(0);
 }
 
@@ -96,6 +131,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
+        (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = nodes__turn_cosine(work, tables);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
@@ -249,6 +285,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
+    nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
     return INT64_C(0);
 }
 
@@ -288,5 +325,6 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one));
     }
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + one));
+    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + one));
     return INT64_C(0);
 }

@@ -134,6 +134,7 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d work,
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     tangent_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    tangent_nodes__bring_nearer_t(work, work_t, region, nodes);
     tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {

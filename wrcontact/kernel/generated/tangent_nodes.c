@@ -33,9 +33,11 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d work, array_dou
     double curvature_t;
     double v2;
     double v2_t;
-    int64_t n3;
-    int64_t before;
+    double v3;
+    double v3_t;
     int64_t n4;
+    int64_t before;
+    int64_t n5;
     int64_t after;
     tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     tangent_curves__open_origin_t(work, work_t, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
@@ -45,20 +47,67 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d work, array_dou
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
+    tangent_nodes__turn_cosine_t(&v2, &v2_t, work, work_t, tables);
+    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2_t;
+    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2_t;
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2;
+        tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
-    n3 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
-    before = n3;
+    n4 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
+    before = n4;
     (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    n4 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
-    after = n4;
+    n5 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
+    after = n5;
     (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
+    return INT64_C(0);
+}
+
+/* Tangent of ``turn_cosine``. */
+static inline int64_t tangent_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables)
+{
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    double v1;
+    double v2;
+    double v3;
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    v2 = 1.0 + slope * slope;
+    v3 = sqrt(v2);
+    (*v4) = v1 / v3;
+    (*result_1) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - (*v4) * tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v3;
+    return 0;
+}
+
+/* Tangent of ``bring_nearer``. */
+static inline int64_t tangent_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
+{
+    int64_t k_end;
+    int64_t k;
+    double level_t;
+    double level;
+    double v1;
+    double v2;
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        if ((level > 0.0) && ((*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) > nodes__LEAST_TURN))
+        {
+            v1 = 1.0 / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k));
+            v2 = v1 - 1.0;
+            (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) - (level_t * v2 + level * ((-v1) * (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + k)) / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k))));
+            (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) - level * v2;
+        }
+    }
     return INT64_C(0);
 }
 
@@ -76,6 +125,8 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
     double curvature_t;
     double v3;
     double v3_t;
+    double v4;
+    double v4_t;
     v1 = (double)(at);
     station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
@@ -87,11 +138,14 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature_t;
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
+        tangent_nodes__turn_cosine_t(&v3, &v3_t, work, work_t, tables);
+        (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3_t;
+        (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-            (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v3_t;
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v3;
+            tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v4_t;
+            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v4;
         }
     }
     return 0;
@@ -270,6 +324,7 @@ static inline int64_t tangent_nodes__fill_between_t(array_double_1d work, array_
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     tangent_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
+    tangent_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TURN, start, stop, count);
     return INT64_C(0);
 }
 
@@ -311,5 +366,7 @@ static inline int64_t tangent_nodes__extrapolate_node_t(array_double_1d work, ar
     }
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + one));
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + one));
+    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + one));
+    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + one));
     return INT64_C(0);
 }

@@ -22,7 +22,7 @@ from ..layout import (
 from .hertz import table_value
 from .mean_normal import mean_normal
 from .node_coefficients import FLOOR, weigh_nodes
-from .nodes import lay_nodes, node_stride, window_nodes
+from .nodes import bring_nearer, lay_nodes, node_stride, window_nodes
 from .widths import measure_widths
 
 #: Half-widths are measured at this share of the local penetration: at all of it a flat end of the profile
@@ -91,6 +91,7 @@ def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region
     if contact.frame.pressed and yawed == 1:
         contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
     lay_nodes(tables, contact, state, region, nodes, low_reach, high_reach)
+    bring_nearer(region, nodes)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
     if contact.frame.pressed or tables.load == LOAD_VERTICAL:
         mean_normal(tables, contact.frame, region, nodes, region.local_penetration)

@@ -4,6 +4,7 @@ Nodes are anchored at the minimum of the region, station + k h, with h a fixed s
 interpenetration. So a result depends on the pose alone and is smooth in it.
 """
 
+from math import sqrt
 from typing import Final
 
 from ..contact.contact_plane import NO_GAP
@@ -19,6 +20,7 @@ from ..layout import (
     SEPARATION_VERTICAL,
     WHEEL,
     Contact,
+    Frame,
     NodeRun,
     Nodes,
     Region,
@@ -26,11 +28,14 @@ from ..layout import (
     Tables,
 )
 from ..surface.lateral_curvature import relative_curvature
+from ..surface.profile_table import height_slope
 
 #: Window of the lateral curvature as a share of the half-width of the interpenetration (docs/method.md).
 WINDOW: Final[float] = 4.0 / 15.0
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
 FINEST_TRACE: Final[float] = 5e-8    # [m]; the residual is removed to second order
+#: Where the rail has turned by more than this cosine says, nothing of that counts [-].
+LEAST_TURN: Final[float] = 0.2
 
 
 def window_nodes(tables: Tables):
@@ -77,6 +82,7 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
                                             trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
+    nodes.turn[0] = turn_cosine(tables, contact.frame)
     if tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
                                         contact.frame.traces[RAIL].abscissa)
@@ -84,6 +90,26 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     region.first = -before
     after = lay_side_nodes(tables, contact, state, region, nodes, 1, high_reach, rate)
     region.last = after
+    return 0
+
+
+def turn_cosine(tables: Tables, frame: Frame):
+    """Cosine of the angle between the rail's normal at the present trace and that of the open frame."""
+    height, slope = height_slope(tables.rail, frame.traces[RAIL].abscissa)
+    return (frame.plane.cos + slope * frame.plane.sin) / sqrt(1.0 + slope * slope)
+
+
+def bring_nearer(region: Region, nodes: Nodes):
+    """Let the gap rise less where a region turns.
+
+    A load displaces the surface beside it along the normal there by the cosine of the angle between the two
+    normals, so that what the load in the middle displaces is missing there: of the level that is left at a
+    node, the share 1 / cosine - 1 counts less as gap.
+    """
+    for k in range(region.first, region.last + 1):
+        level = region.local_penetration - nodes.gap[k]
+        if level > 0.0 and nodes.turn[k] > LEAST_TURN:
+            nodes.gap[k] -= level * (1.0 / nodes.turn[k] - 1.0)
     return 0
 
 
@@ -96,6 +122,7 @@ def trace_node(tables: Tables, contact: Contact, state: State, region: Region, n
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
+        nodes.turn[at] = turn_cosine(tables, contact.frame)
         if tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
                                              contact.frame.traces[RAIL].abscissa)
@@ -189,6 +216,7 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
             gap = 0.0
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.A, start, stop, count)
+    fill_straight(nodes.turn, start, stop, count)
     return 0
 
 
@@ -213,4 +241,5 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
         # next to the minimum: take the other side's, or nothing if that is not known yet
         nodes.gap[at] = nodes.gap[one]
     nodes.A[at] = nodes.A[one]
+    nodes.turn[at] = nodes.turn[one]
     return 0
