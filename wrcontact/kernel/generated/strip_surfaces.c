@@ -196,38 +196,105 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
     return INT64_C(0);
 }
 
-/* Half-lengths of the strips from their overlaps alone. */
+/* Half-lengths of the strips, which lie in ``count`` regions, from how long and wide their zones are: those
+ * of Hertz's ellipse for gap and curvature at each strip.
+ */
 static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count)
 {
-    double deepest;
+    int64_t index;
+    int64_t region;
+    int64_t zone;
+    double depth;
+    double middle;
+    double A;
+    double low;
+    double high;
+    double one_alpha;
+    double low_beta;
+    double high_beta;
+    int64_t i_end;
     int64_t i;
     int64_t strip;
     double overlap;
-    deepest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double beta;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP)) > deepest)
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
+        depth = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
+        middle = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+        A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        low = strip_surfaces__zone_curvature(depth, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
+        high = strip_surfaces__zone_curvature(depth, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, A);
+        one_alpha = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), 0.5 * log(low * high / (A * A)));
+        low_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
+        high_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
-            deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+            {
+                if (contact_plane__is_yawed(work) == INT64_C(1))
+                {
+                    overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+                    if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
+                    {
+                        overlap = strip_surfaces__LEAST_OVERLAP * depth;
+                    }
+                    strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                }
+                beta = low_beta;
+                if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
+                {
+                    beta = high_beta;
+                }
+                strip_surfaces__first_length(work, strip, depth, one_alpha, beta);
+            }
         }
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    return INT64_C(0);
+}
+
+/* Lateral curvature [1/m] with which the gap rises by most of the ``depth`` [m] over the ``width`` of a
+ * zone to one side [m]; between FLATTEST_ZONE A and SHARPEST_ZONE A.
+ */
+static inline double strip_surfaces__zone_curvature(double depth, double width, double A)
+{
+    double most;
+    double B;
+    most = strip_surfaces__SHARPEST_ZONE * A;
+    B = most;
+    if (depth < most * width * width)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-        if (overlap < strip_surfaces__LEAST_OVERLAP * deepest)
-        {
-            overlap = strip_surfaces__LEAST_OVERLAP * deepest;
-        }
-        if (contact_plane__is_yawed(work) == INT64_C(1))
-        {
-            strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
-        }
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(strip_surfaces__FIRST_SQUARE * overlap / (*cspan_at(&work, strip + layout__STRIP_A)));
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > strip_surfaces__FIRST_LOADED * deepest);
+        B = depth / (width * width);
     }
-    strip_lengths__limit_lengths(work, count);
+    if (B < strip_surfaces__FLATTEST_ZONE * A)
+    {
+        B = strip_surfaces__FLATTEST_ZONE * A;
+    }
+    return B;
+}
+
+/* Half-length of a strip in a region of this ``depth`` [m], by ANALYN's coefficients of its zone. */
+static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t strip, double depth, double one_alpha, double one_beta)
+{
+    double level;
+    double least;
+    level = depth - one_beta * (depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)));
+    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
+    least = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+    if (least < strip_surfaces__LEAST_OVERLAP * depth)
+    {
+        least = strip_surfaces__LEAST_OVERLAP * depth;
+    }
+    if (level < least)
+    {
+        level = least;
+    }
+    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(level / (one_alpha * (*cspan_at(&work, strip + layout__STRIP_A))));
+    (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
     return INT64_C(0);
 }
 

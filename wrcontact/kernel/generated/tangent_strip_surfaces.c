@@ -312,54 +312,176 @@ static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d wo
 /* Tangent of ``first_lengths``. */
 static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
-    double deepest_t;
-    double deepest;
+    int64_t index;
+    int64_t region;
+    int64_t zone;
+    double depth_t;
+    double depth;
+    double middle_t;
+    double middle;
+    double A_t;
+    double A;
+    double v1;
+    double v1_t;
+    double low_t;
+    double low;
+    double v2;
+    double v2_t;
+    double high_t;
+    double high;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v3;
+    double v3_t;
+    double one_alpha_t;
+    double one_alpha;
+    double v9;
+    double v8;
+    double v8_t;
+    double low_beta_t;
+    double low_beta;
+    double v11;
+    double v10;
+    double v10_t;
+    double high_beta_t;
+    double high_beta;
+    int64_t i_end;
     int64_t i;
     int64_t strip;
     double overlap_t;
     double overlap;
+    double v12;
+    double v13;
+    double beta_t;
+    double beta;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
+        depth_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        depth = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
+        middle_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+        middle = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+        A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        tangent_strip_surfaces__zone_curvature_t(&v1, &v1_t, depth, depth_t, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), middle_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
+        low_t = v1_t;
+        low = v1;
+        tangent_strip_surfaces__zone_curvature_t(&v2, &v2_t, depth, depth_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - middle_t, A, A_t);
+        high_t = v2_t;
+        high = v2;
+        v4 = low * high;
+        v5 = A * A;
+        v6 = v4 / v5;
+        v7 = log(v6);
+        tangent_hertz__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), 0.5 * v7, 0.5 * ((low_t * high + low * high_t - v6 * (A_t * A + A * A_t)) / v5 / v6));
+        one_alpha_t = v3_t;
+        one_alpha = v3;
+        v9 = A / low;
+        tangent_hertz__table_value_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v9), (A_t - v9 * low_t) / low / v9);
+        low_beta_t = v8_t;
+        low_beta = v8;
+        v11 = A / high;
+        tangent_hertz__table_value_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v11), (A_t - v11 * high_t) / high / v11);
+        high_beta_t = v10_t;
+        high_beta = v10;
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+            {
+                if (contact_plane__is_yawed(work) == INT64_C(1))
+                {
+                    overlap_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+                    overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+                    if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
+                    {
+                        overlap_t = strip_surfaces__LEAST_OVERLAP * depth_t;
+                        overlap = strip_surfaces__LEAST_OVERLAP * depth;
+                    }
+                    v12 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
+                    v13 = sqrt(v12);
+                    tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v13, strip_lengths__TESTED * tangent_rates__root_rate(v13, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                }
+                beta_t = low_beta_t;
+                beta = low_beta;
+                if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
+                {
+                    beta_t = high_beta_t;
+                    beta = high_beta;
+                }
+                tangent_strip_surfaces__first_length_t(work, work_t, strip, depth, depth_t, one_alpha, one_alpha_t, beta, beta_t);
+            }
+        }
+    }
+    tangent_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    return INT64_C(0);
+}
+
+/* Tangent of ``zone_curvature``. */
+static inline int64_t tangent_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t)
+{
+    double most_t;
+    double most;
     double v1;
+    double v2;
+    most_t = strip_surfaces__SHARPEST_ZONE * A_t;
+    most = strip_surfaces__SHARPEST_ZONE * A;
+    (*B_t) = most_t;
+    (*B) = most;
+    if (depth < most * width * width)
+    {
+        v1 = width * width;
+        v2 = depth / v1;
+        (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
+        (*B) = v2;
+    }
+    if ((*B) < strip_surfaces__FLATTEST_ZONE * A)
+    {
+        (*B_t) = strip_surfaces__FLATTEST_ZONE * A_t;
+        (*B) = strip_surfaces__FLATTEST_ZONE * A;
+    }
+    return 0;
+}
+
+/* Tangent of ``first_length``. */
+static inline int64_t tangent_strip_surfaces__first_length_t(array_double_1d work, array_double_1d work_t, int64_t strip, double depth, double depth_t, double one_alpha, double one_alpha_t, double one_beta, double one_beta_t)
+{
+    double v1;
+    double level_t;
+    double level;
+    double least_t;
+    double least;
     double v2;
     double v3;
     double v4;
-    double v5;
-    deepest_t = 0.0;
-    deepest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    v1 = depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+    level_t = depth_t - (one_beta_t * v1 + one_beta * (depth_t - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP))));
+    level = depth - one_beta * v1;
+    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
+    least_t = strip_surfaces__INSIDE * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+    least = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+    if (least < strip_surfaces__LEAST_OVERLAP * depth)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP)) > deepest)
-        {
-            deepest_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
-            deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_OVERLAP));
-        }
+        least_t = strip_surfaces__LEAST_OVERLAP * depth_t;
+        least = strip_surfaces__LEAST_OVERLAP * depth;
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    if (level < least)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        overlap_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
-        overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-        if (overlap < strip_surfaces__LEAST_OVERLAP * deepest)
-        {
-            overlap_t = strip_surfaces__LEAST_OVERLAP * deepest_t;
-            overlap = strip_surfaces__LEAST_OVERLAP * deepest;
-        }
-        if (contact_plane__is_yawed(work) == INT64_C(1))
-        {
-            v1 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
-            v2 = sqrt(v1);
-            tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v2, strip_lengths__TESTED * tangent_rates__root_rate(v2, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
-        }
-        v3 = strip_surfaces__FIRST_SQUARE * overlap;
-        v4 = v3 / (*cspan_at(&work, strip + layout__STRIP_A));
-        v5 = sqrt(v4);
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = tangent_rates__root_rate(v5, (strip_surfaces__FIRST_SQUARE * overlap_t - v4 * (*cspan_at(&work_t, strip + layout__STRIP_A))) / (*cspan_at(&work, strip + layout__STRIP_A)));
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v5;
-        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > strip_surfaces__FIRST_LOADED * deepest);
+        level_t = least_t;
+        level = least;
     }
-    tangent_strip_lengths__limit_lengths_t(work, work_t, count);
+    v2 = one_alpha * (*cspan_at(&work, strip + layout__STRIP_A));
+    v3 = level / v2;
+    v4 = sqrt(v3);
+    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = tangent_rates__root_rate(v4, (level_t - v3 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v2);
+    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v4;
+    (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
     return INT64_C(0);
 }
 

@@ -24,7 +24,7 @@ static inline int64_t tangent_strips__first_layout_t(double* result_0, double* r
     int64_t sweep;
     tangent_strip_layout__zone_cells_t(work, work_t, count);
     tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, count);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);

@@ -1,6 +1,6 @@
 """What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track."""
 
-from math import sqrt
+from math import log, sqrt
 from typing import Final
 
 from ..contact.contact_plane import NO_GAP, is_yawed
@@ -26,17 +26,19 @@ from ..layout import (
 from ..surface.locus import outline_x
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope, height_slope_bend
+from .hertz import table_value
 from .strip_layout import length_before
 from .strip_lengths import TESTED, gap_beside, limit_lengths
 
 #: To what the abscissae of wheel and rail are traced [m].
 STRIP_TRACE: Final[float] = 1e-9
-#: Square of a half-length before it is known: this share of overlap / A,
-FIRST_SQUARE: Final[float] = 0.5
-#: for an overlap of no less than this share of the deepest one; and where it is more than this, the strip is
-#: taken for loaded.
+#: Lateral curvatures of a zone over A are within these.
+FLATTEST_ZONE: Final[float] = 0.02
+SHARPEST_ZONE: Final[float] = 1e3
+#: Before its half-length is known, the level of a strip is no less than this share of the overlap there, and
+#: than this one of the depth.
+INSIDE: Final[float] = 0.25
 LEAST_OVERLAP: Final[float] = 0.05
-FIRST_LOADED: Final[float] = 0.3
 
 
 def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
@@ -156,23 +158,61 @@ def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
     return 0
 
 
-def first_lengths(tables: Tables, frame: Frame, strips: Strips, count: int):
-    """Half-lengths of the strips from their overlaps alone."""
-    deepest = 0.0
-    for i in range(count):
-        if strips[i].overlap > deepest:
-            deepest = strips[i].overlap
-    for i in range(count):
-        strip = strips[i]
-        overlap = strip.overlap
-        if overlap < LEAST_OVERLAP * deepest:
-            overlap = LEAST_OVERLAP * deepest
-        if is_yawed(frame) == 1:
-            measure_ridge(tables, frame.place, strip, TESTED * sqrt(overlap * tables.radius))
-        strip.half_length = sqrt(FIRST_SQUARE * overlap / strip.A)
-        strip.lead = 0.0
-        strip.loaded = strip.overlap > FIRST_LOADED * deepest
-    limit_lengths(strips, count)
+def first_lengths(tables: Tables, contact: Contact, count: int):
+    """Half-lengths of the strips, which lie in ``count`` regions, from how long and wide their zones are: those
+    of Hertz's ellipse for gap and curvature at each strip."""
+    problem = contact.strip_problem
+    frame = contact.frame
+    for index in range(count):
+        region = contact.regions[index]
+        zone = problem.zones[index]
+        depth = region.alignment * problem.penetration - region.gap
+        middle = region.offset + region.station
+        A = 0.5 * region.curvature
+        low = zone_curvature(depth, middle - zone.start, A)
+        high = zone_curvature(depth, zone.stop - middle, A)
+        one_alpha = table_value(tables.hertz, 0, 0.5 * log(low * high / (A * A)))
+        low_beta = table_value(tables.hertz, 0, log(A / low))
+        high_beta = table_value(tables.hertz, 0, log(A / high))
+        for i in range(problem.count):
+            strip = problem.strips[i]
+            if strip.region == index:
+                if is_yawed(frame) == 1:
+                    overlap = strip.overlap
+                    if overlap < LEAST_OVERLAP * depth:
+                        overlap = LEAST_OVERLAP * depth
+                    measure_ridge(tables, frame.place, strip, TESTED * sqrt(overlap * tables.radius))
+                beta = low_beta
+                if strip.station > middle:
+                    beta = high_beta
+                first_length(strip, depth, one_alpha, beta)
+    limit_lengths(problem.strips, problem.count)
+    return 0
+
+
+def zone_curvature(depth: float, width: float, A: float):
+    """Lateral curvature [1/m] with which the gap rises by most of the ``depth`` [m] over the ``width`` of a
+    zone to one side [m]; between FLATTEST_ZONE A and SHARPEST_ZONE A."""
+    most = SHARPEST_ZONE * A
+    B = most
+    if depth < most * width * width:
+        B = depth / (width * width)
+    if B < FLATTEST_ZONE * A:
+        B = FLATTEST_ZONE * A
+    return B
+
+
+def first_length(strip: Strip, depth: float, one_alpha: float, one_beta: float):
+    """Half-length of a strip in a region of this ``depth`` [m], by ANALYN's coefficients of its zone."""
+    level = depth - one_beta * (depth - strip.overlap)
+    strip.loaded = level > 0.0
+    least = INSIDE * strip.overlap
+    if least < LEAST_OVERLAP * depth:
+        least = LEAST_OVERLAP * depth
+    if level < least:
+        level = least
+    strip.half_length = sqrt(level / (one_alpha * strip.A))
+    strip.lead = 0.0
     return 0
 
 

@@ -52,7 +52,7 @@ def first_layout(tables: Tables, contact: Contact, state: State, count: int, for
     problem = contact.strip_problem
     zone_cells(problem, count)
     lay_strips(tables, contact, state, count, int(FIRST_SHARE * float(tables.strips) + 0.5))
-    first_lengths(tables, contact.frame, problem.strips, problem.count)
+    first_lengths(tables, contact, count)
     penetration = problem.penetration
     found = 0
     for sweep in range(FIRST_SWEEPS):
