@@ -21,7 +21,7 @@ from .deep_points import deepest_entry
 from .overlaps import find_overlaps
 from .planes import keep_frame, locate_along_track, use_frame
 from .pressed import pressed_gap
-from .regions import incline_region
+from .regions import BEYOND, incline_region
 from .traces import start_traces
 
 
@@ -100,14 +100,12 @@ def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: R
         gap, rate, bend, curvature = pressed_gap(tables, frame, state, 0.0)
         region.bend = bend
         region.curvature = curvature
-        low = tables.rail.start
-        high = tables.rail.stop
+        region.low = -BEYOND
+        region.high = BEYOND
         if index > 0:
-            low = overlap.points[index - 1].saddle
+            region.low = rail_length(tables, point.rail, overlap.points[index - 1].saddle)
         if index < count - 1:
-            high = point.saddle
-        region.low = rail_length(tables, point.rail, low)
-        region.high = rail_length(tables, point.rail, high)
+            region.high = rail_length(tables, point.rail, point.saddle)
         keep_frame(frame, frames, index)
         use_frame(frame, frames, REGION_LIMIT)
     if count > 1:

@@ -117,7 +117,7 @@ static inline int64_t node_layout__covered(array_double_1d work, int64_t count)
         high = (*cspan_at(&work, region + layout__REGION_HIGH));
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
-            /* its bounds may be the rail's ends, far away */
+            /* a bound that it does not reach is none */
             if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
             {
                 low = -regions__BEYOND;

@@ -107,8 +107,6 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
     double rate;
     double bend;
     double curvature;
-    double low;
-    double high;
     int64_t count;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
@@ -126,18 +124,16 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        low = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
-        high = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
+        (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
+        (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
         if (index > INT64_C(0))
         {
-            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
+            (*cspan_at(&work, region + layout__REGION_LOW)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
         }
         if (index < count - INT64_C(1))
         {
-            high = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+            (*cspan_at(&work, region + layout__REGION_HIGH)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
         }
-        (*cspan_at(&work, region + layout__REGION_LOW)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), low);
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), high);
         planes__keep_frame(work, index);
         planes__use_frame(work, layout__REGION_LIMIT);
     }

@@ -28,7 +28,7 @@
 #include "strip_pressures.h"
 #include "strip_surfaces.h"
 
-static const int64_t strips__FIRST_SWEEPS = INT64_C(2);
+static const int64_t strips__FIRST_SWEEPS = INT64_C(1);
 
 static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
 static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration);

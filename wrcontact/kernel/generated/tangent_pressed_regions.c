@@ -152,10 +152,6 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
     double bend_t;
     double curvature;
     double curvature_t;
-    double low_t;
-    double low;
-    double high_t;
-    double high;
     double v1;
     double v1_t;
     double v2;
@@ -179,26 +175,22 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        low_t = 0.0;
-        low = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
-        high_t = 0.0;
-        high = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
+        (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
+        (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
         if (index > INT64_C(0))
         {
-            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
-            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
+            tangent_arc_length__rail_length_t(&v1, &v1_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work_t, region + layout__REGION_LOW)) = v1_t;
+            (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
         }
         if (index < count - INT64_C(1))
         {
-            high_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
-            high = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+            tangent_arc_length__rail_length_t(&v2, &v2_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v2_t;
+            (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
         }
-        tangent_arc_length__rail_length_t(&v1, &v1_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), low, low_t);
-        (*cspan_at(&work_t, region + layout__REGION_LOW)) = v1_t;
-        (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
-        tangent_arc_length__rail_length_t(&v2, &v2_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), high, high_t);
-        (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v2_t;
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
         tangent_planes__keep_frame_t(work, work_t, index);
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }

@@ -9,6 +9,7 @@
 #include "../native/spans.h"
 #include "deep_points.h"
 #include "layout.h"
+#include "regions.h"
 #include "tangent_arc_length.h"
 #include "tangent_contact_plane.h"
 #include "tangent_locus.h"

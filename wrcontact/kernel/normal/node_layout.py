@@ -107,7 +107,7 @@ def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
         low = region.low
         high = region.high
         if frame.pressed:
-            # its bounds may be the rail's ends, far away
+            # a bound that it does not reach is none
             if low < region.station + region.spacing * region.first:
                 low = -BEYOND
             if high > region.station + region.spacing * region.last:

@@ -32,7 +32,7 @@ from .strip_surfaces import (
 )
 
 #: Sweeps of the first layout.
-FIRST_SWEEPS: Final[int] = 2
+FIRST_SWEEPS: Final[int] = 1
 
 
 def lay_strips(tables: Tables, contact: Contact, state: State, count: int, wanted: int):
