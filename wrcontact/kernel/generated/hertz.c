@@ -95,6 +95,44 @@ static inline int64_t hertz__skewed_coefficients(double* result_0, double* resul
     return 0;
 }
 
+/* dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
+ * ``slant``; steep ones are taken as there.
+ */
+static inline double hertz__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant)
+{
+    double cross;
+    double diagonal;
+    double half;
+    double spread;
+    double large;
+    double small;
+    double along;
+    double across;
+    double nr;
+    double cosine;
+    double length;
+    if (A * slant * slant > hertz__STEEPEST * B)
+    {
+        slant = sqrt(hertz__STEEPEST * B / A) * slant / fabs(slant);
+    }
+    cross = A * slant;
+    diagonal = B + cross * slant;
+    half = 0.5 * (A - diagonal);
+    spread = sqrt(half * half + cross * cross);
+    large = 0.5 * (A + diagonal) + spread;
+    small = A * B / large;
+    if (!(spread > hertz__TILTED * large))
+    {
+        return slant;
+    }
+    hertz__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
+    along *= small;
+    across *= large;
+    cosine = 0.5 - 0.5 * half / spread;
+    length = cosine * along + (1.0 - cosine) * across;
+    return cross * (across - along) / ((large - small) * length);
+}
+
 /* N / penetration^(3/2) [N/m^1.5].
  *
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's

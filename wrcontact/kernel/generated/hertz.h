@@ -29,6 +29,7 @@ static const double hertz__STEEPEST = 0.3;
 static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
 static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline double hertz__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
 
 #endif

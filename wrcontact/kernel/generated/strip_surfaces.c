@@ -209,14 +209,21 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
     double A;
     double low;
     double high;
+    double B;
     double one_alpha;
+    double one_beta;
+    double nr;
+    double lean;
     double low_beta;
     double high_beta;
+    double slant;
+    double alpha;
+    double beta;
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double overlap;
-    double beta;
+    double farthest;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
@@ -226,9 +233,20 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
         A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
         low = strip_surfaces__zone_curvature(depth, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
         high = strip_surfaces__zone_curvature(depth, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, A);
-        one_alpha = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), 0.5 * log(low * high / (A * A)));
+        B = sqrt(low * high);
+        hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+        lean = 0.0;
         low_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
         high_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
+        if (contact_plane__is_yawed(work) == INT64_C(1))
+        {
+            slant = strip_surfaces__ridge_slant(work, index);
+            hertz__skewed_coefficients(&alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
+            lean = hertz__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
+            low_beta *= beta / one_beta;
+            high_beta *= beta / one_beta;
+            one_alpha = alpha;
+        }
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
@@ -250,11 +268,45 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
                     beta = high_beta;
                 }
                 strip_surfaces__first_length(work, strip, depth, one_alpha, beta);
+                farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = touching__limited(lean * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - middle), farthest);
             }
         }
     }
     strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);
+}
+
+/* Mean slope dx/ds of the ridge over the strips of the region with number ``index`` [-]; 0 where it has
+ * fewer than two.
+ */
+static inline double strip_surfaces__ridge_slant(array_double_1d work, int64_t index)
+{
+    int64_t first;
+    int64_t last;
+    int64_t i_end;
+    int64_t i;
+    double slant;
+    first = -INT64_C(1);
+    last = -INT64_C(1);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) == index)
+        {
+            if (first < INT64_C(0))
+            {
+                first = i;
+            }
+            last = i;
+        }
+    }
+    slant = 0.0;
+    if (last > first)
+    {
+        slant = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X))) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)));
+    }
+    return slant;
 }
 
 /* Lateral curvature [1/m] with which the gap rises by most of the ``depth`` [m] over the ``width`` of a
@@ -294,7 +346,6 @@ static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t
         level = least;
     }
     (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(level / (one_alpha * (*cspan_at(&work, strip + layout__STRIP_A))));
-    (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
     return INT64_C(0);
 }
 

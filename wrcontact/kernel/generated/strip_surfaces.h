@@ -18,6 +18,7 @@
 #include "separation.h"
 #include "strip_layout.h"
 #include "strip_lengths.h"
+#include "touching.h"
 #include "traces.h"
 
 static const double strip_surfaces__STRIP_TRACE = 1e-09;
@@ -25,6 +26,7 @@ static const double strip_surfaces__FLATTEST_ZONE = 0.02;
 static const double strip_surfaces__SHARPEST_ZONE = 1000.0;
 static const double strip_surfaces__INSIDE = 0.25;
 static const double strip_surfaces__LEAST_OVERLAP = 0.05;
+static const double strip_surfaces__FIRST_LEAD = 0.5;
 
 static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
 static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count);
@@ -33,6 +35,7 @@ static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array
 static inline double strip_surfaces__profile_within(array_double_1d tables, double y);
 static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_double_1d tables, int64_t place, int64_t strip, double away);
 static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
+static inline double strip_surfaces__ridge_slant(array_double_1d work, int64_t index);
 static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t strip, double depth, double one_alpha, double one_beta);
 static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count);
 static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables);

@@ -151,6 +151,108 @@ static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* 
     return 0;
 }
 
+/* Tangent of ``middle_slant``. */
+static inline int64_t tangent_hertz__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double cross_t;
+    double cross;
+    double diagonal_t;
+    double diagonal;
+    double v7;
+    double half_t;
+    double half;
+    double v8;
+    double v9;
+    double spread_t;
+    double spread;
+    double v10;
+    double large_t;
+    double large;
+    double v11;
+    double v12;
+    double small_t;
+    double small;
+    double along;
+    double along_t;
+    double across;
+    double across_t;
+    double nr;
+    double nr_t;
+    double v13;
+    double v14;
+    double cosine_t;
+    double cosine;
+    double v15;
+    double length_t;
+    double length;
+    double v16;
+    double v17;
+    double v18;
+    double v19;
+    double v20;
+    if (A * slant * slant > hertz__STEEPEST * B)
+    {
+        v1 = hertz__STEEPEST * B;
+        v2 = v1 / A;
+        v3 = sqrt(v2);
+        v4 = v3 * slant;
+        v5 = fabs(slant);
+        v6 = v4 / v5;
+        slant_t = (tangent_rates__root_rate(v3, (hertz__STEEPEST * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * tangent_rates__size_rate(slant, slant_t)) / v5;
+        slant = v6;
+    }
+    cross_t = A_t * slant + A * slant_t;
+    cross = A * slant;
+    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    diagonal = B + cross * slant;
+    v7 = A - diagonal;
+    half_t = 0.5 * (A_t - diagonal_t);
+    half = 0.5 * v7;
+    v8 = half * half + cross * cross;
+    v9 = sqrt(v8);
+    spread_t = tangent_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    spread = v9;
+    v10 = A + diagonal;
+    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    large = 0.5 * v10 + spread;
+    v11 = A * B;
+    v12 = v11 / large;
+    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
+    small = v12;
+    if (!(spread > hertz__TILTED * large))
+    {
+        (*result_0) = slant;
+        (*result_1) = slant_t;
+        return 0;
+    }
+    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
+    along_t = along_t * small + along * small_t;
+    along = along * small;
+    across_t = across_t * large + across * large_t;
+    across = across * large;
+    v13 = 0.5 * half;
+    v14 = v13 / spread;
+    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
+    cosine = 0.5 - v14;
+    v15 = 1.0 - cosine;
+    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
+    length = cosine * along + v15 * across;
+    v16 = across - along;
+    v17 = cross * v16;
+    v18 = large - small;
+    v19 = v18 * length;
+    v20 = v17 / v19;
+    (*result_0) = v20;
+    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
+    return 0;
+}
+
 /* Tangent of ``hertz_stiffness``. */
 static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
 {

@@ -329,33 +329,52 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
     double v2_t;
     double high_t;
     double high;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
     double v3;
-    double v3_t;
-    double one_alpha_t;
+    double v4;
+    double B_t;
+    double B;
     double one_alpha;
-    double v9;
-    double v8;
-    double v8_t;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double lean_t;
+    double lean;
+    double v6;
+    double v5;
+    double v5_t;
     double low_beta_t;
     double low_beta;
-    double v11;
-    double v10;
-    double v10_t;
+    double v8;
+    double v7;
+    double v7_t;
     double high_beta_t;
     double high_beta;
+    double v9;
+    double v9_t;
+    double slant_t;
+    double slant;
+    double alpha;
+    double alpha_t;
+    double beta;
+    double beta_t;
+    double v10;
+    double v10_t;
+    double v11;
+    double v12;
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double overlap_t;
     double overlap;
-    double v12;
     double v13;
-    double beta_t;
-    double beta;
+    double v14;
+    double farthest_t;
+    double farthest;
+    double v16;
+    double v15;
+    double v15_t;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
@@ -372,21 +391,39 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
         tangent_strip_surfaces__zone_curvature_t(&v2, &v2_t, depth, depth_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - middle_t, A, A_t);
         high_t = v2_t;
         high = v2;
-        v4 = low * high;
-        v5 = A * A;
-        v6 = v4 / v5;
-        v7 = log(v6);
-        tangent_hertz__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), 0.5 * v7, 0.5 * ((low_t * high + low * high_t - v6 * (A_t * A + A * A_t)) / v5 / v6));
-        one_alpha_t = v3_t;
-        one_alpha = v3;
-        v9 = A / low;
-        tangent_hertz__table_value_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v9), (A_t - v9 * low_t) / low / v9);
-        low_beta_t = v8_t;
-        low_beta = v8;
-        v11 = A / high;
-        tangent_hertz__table_value_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v11), (A_t - v11 * high_t) / high / v11);
-        high_beta_t = v10_t;
-        high_beta = v10;
+        v3 = low * high;
+        v4 = sqrt(v3);
+        B_t = tangent_rates__root_rate(v4, low_t * high + low * high_t);
+        B = v4;
+        tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+        lean_t = 0.0;
+        lean = 0.0;
+        v6 = A / low;
+        tangent_hertz__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v6), (A_t - v6 * low_t) / low / v6);
+        low_beta_t = v5_t;
+        low_beta = v5;
+        v8 = A / high;
+        tangent_hertz__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v8), (A_t - v8 * high_t) / high / v8);
+        high_beta_t = v7_t;
+        high_beta = v7;
+        if (contact_plane__is_yawed(work) == INT64_C(1))
+        {
+            tangent_strip_surfaces__ridge_slant_t(&v9, &v9_t, work, work_t, index);
+            slant_t = v9_t;
+            slant = v9;
+            tangent_hertz__skewed_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+            tangent_hertz__middle_slant_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+            lean_t = v10_t - slant_t;
+            lean = v10 - slant;
+            v11 = beta / one_beta;
+            low_beta_t = low_beta_t * v11 + low_beta * ((beta_t - v11 * one_beta_t) / one_beta);
+            low_beta = low_beta * v11;
+            v12 = beta / one_beta;
+            high_beta_t = high_beta_t * v12 + high_beta * ((beta_t - v12 * one_beta_t) / one_beta);
+            high_beta = high_beta * v12;
+            one_alpha_t = alpha_t;
+            one_alpha = alpha;
+        }
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
@@ -402,9 +439,9 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
                         overlap_t = strip_surfaces__LEAST_OVERLAP * depth_t;
                         overlap = strip_surfaces__LEAST_OVERLAP * depth;
                     }
-                    v12 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
-                    v13 = sqrt(v12);
-                    tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v13, strip_lengths__TESTED * tangent_rates__root_rate(v13, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                    v13 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
+                    v14 = sqrt(v13);
+                    tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v14, strip_lengths__TESTED * tangent_rates__root_rate(v14, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
                 }
                 beta_t = low_beta_t;
                 beta = low_beta;
@@ -414,11 +451,54 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
                     beta = high_beta;
                 }
                 tangent_strip_surfaces__first_length_t(work, work_t, strip, depth, depth_t, one_alpha, one_alpha_t, beta, beta_t);
+                farthest_t = strip_surfaces__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+                farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+                v16 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
+                tangent_touching__limited_t(&v15, &v15_t, lean * v16, lean_t * v16 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
+                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v15_t;
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v15;
             }
         }
     }
     tangent_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);
+}
+
+/* Tangent of ``ridge_slant``. */
+static inline int64_t tangent_strip_surfaces__ridge_slant_t(double* slant, double* slant_t, array_double_1d work, array_double_1d work_t, int64_t index)
+{
+    int64_t first;
+    int64_t last;
+    int64_t i_end;
+    int64_t i;
+    double v1;
+    double v2;
+    double v3;
+    first = -INT64_C(1);
+    last = -INT64_C(1);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) == index)
+        {
+            if (first < INT64_C(0))
+            {
+                first = i;
+            }
+            last = i;
+        }
+    }
+    (*slant_t) = 0.0;
+    (*slant) = 0.0;
+    if (last > first)
+    {
+        v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X));
+        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION));
+        v3 = v1 / v2;
+        (*slant_t) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X)) - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)))) / v2;
+        (*slant) = v3;
+    }
+    return 0;
 }
 
 /* Tangent of ``zone_curvature``. */
@@ -480,8 +560,6 @@ static inline int64_t tangent_strip_surfaces__first_length_t(array_double_1d wor
     v4 = sqrt(v3);
     (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = tangent_rates__root_rate(v4, (level_t - v3 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v2);
     (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v4;
-    (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
     return INT64_C(0);
 }
 

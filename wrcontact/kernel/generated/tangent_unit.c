@@ -93,6 +93,7 @@
 #include "tangent_strips.c"
 #include "tangent_table_cell.c"
 #include "tangent_totals.c"
+#include "tangent_touching.c"
 #include "tangent_traces.c"
 #include "tangent_trial.c"
 #include "tangent_wheelset_rules.c"

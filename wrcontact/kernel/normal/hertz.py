@@ -14,7 +14,7 @@ and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over 
 (kernel/binding/hertz_table.py).
 """
 
-from math import log, sqrt
+from math import fabs, log, sqrt
 from typing import Final
 
 from ..layout import HERTZ_ROW, HertzTable
@@ -69,6 +69,27 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
     length = cosine * along + (1.0 - cosine) * across
     width = along * across / (cosine * along + (1.0 - cosine) * across)
     return length / A, width / B, nr * sqrt(length / along)
+
+
+def middle_slant(table: HertzTable, A: float, B: float, slant: float):
+    """dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
+    ``slant``; steep ones are taken as there."""
+    if A * slant * slant > STEEPEST * B:
+        slant = sqrt(STEEPEST * B / A) * slant / fabs(slant)
+    cross = A * slant
+    diagonal = B + cross * slant
+    half = 0.5 * (A - diagonal)
+    spread = sqrt(half * half + cross * cross)
+    large = 0.5 * (A + diagonal) + spread
+    small = A * B / large
+    if not spread > TILTED * large:
+        return slant
+    along, across, nr = hertz_coefficients(table, small, large)
+    along *= small
+    across *= large
+    cosine = 0.5 - 0.5 * half / spread
+    length = cosine * along + (1.0 - cosine) * across
+    return cross * (across - along) / ((large - small) * length)
 
 
 def hertz_stiffness(table: HertzTable, A: float, B: float, contact_modulus: float):

@@ -7,6 +7,7 @@ from ..contact.contact_plane import NO_GAP, is_yawed
 from ..contact.curves import open_origin
 from ..contact.planes import enter_plane, leave_plane
 from ..contact.separation import separation
+from ..contact.touching import limited
 from ..contact.traces import start_traces
 from ..layout import (
     LOAD_VERTICAL,
@@ -26,7 +27,7 @@ from ..layout import (
 from ..surface.locus import outline_x
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope, height_slope_bend
-from .hertz import table_value
+from .hertz import hertz_coefficients, middle_slant, skewed_coefficients, table_value
 from .strip_layout import length_before
 from .strip_lengths import TESTED, gap_beside, limit_lengths
 
@@ -39,6 +40,8 @@ SHARPEST_ZONE: Final[float] = 1e3
 #: than this one of the depth.
 INSIDE: Final[float] = 0.25
 LEAST_OVERLAP: Final[float] = 0.05
+#: The middle of a strip is before its ridge by no more than this share of the half-length, before it is known.
+FIRST_LEAD: Final[float] = 0.5
 
 
 def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
@@ -171,9 +174,18 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
         A = 0.5 * region.curvature
         low = zone_curvature(depth, middle - zone.start, A)
         high = zone_curvature(depth, zone.stop - middle, A)
-        one_alpha = table_value(tables.hertz, 0, 0.5 * log(low * high / (A * A)))
+        B = sqrt(low * high)
+        one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, B)
+        lean = 0.0
         low_beta = table_value(tables.hertz, 0, log(A / low))
         high_beta = table_value(tables.hertz, 0, log(A / high))
+        if is_yawed(frame) == 1:
+            slant = ridge_slant(problem, index)
+            alpha, beta, nr = skewed_coefficients(tables.hertz, A, B, slant)
+            lean = middle_slant(tables.hertz, A, B, slant) - slant
+            low_beta *= beta / one_beta
+            high_beta *= beta / one_beta
+            one_alpha = alpha
         for i in range(problem.count):
             strip = problem.strips[i]
             if strip.region == index:
@@ -186,8 +198,27 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
                 if strip.station > middle:
                     beta = high_beta
                 first_length(strip, depth, one_alpha, beta)
+                farthest = FIRST_LEAD * strip.half_length
+                strip.lead = limited(lean * (strip.station - middle), farthest)
     limit_lengths(problem.strips, problem.count)
     return 0
+
+
+def ridge_slant(problem: StripProblem, index: int):
+    """Mean slope dx/ds of the ridge over the strips of the region with number ``index`` [-]; 0 where it has
+    fewer than two."""
+    strips = problem.strips
+    first = -1
+    last = -1
+    for i in range(problem.count):
+        if strips[i].region == index:
+            if first < 0:
+                first = i
+            last = i
+    slant = 0.0
+    if last > first:
+        slant = (strips[last].x - strips[first].x) / (strips[last].station - strips[first].station)
+    return slant
 
 
 def zone_curvature(depth: float, width: float, A: float):
@@ -212,7 +243,6 @@ def first_length(strip: Strip, depth: float, one_alpha: float, one_beta: float):
     if level < least:
         level = least
     strip.half_length = sqrt(level / (one_alpha * strip.A))
-    strip.lead = 0.0
     return 0
 
 
