@@ -90,6 +90,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
     int64_t strip;
     double half;
     double share;
+    double beside;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     largest = 0.0;
@@ -118,7 +119,8 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
         share = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / (strip_lengths__LIGHT * largest);
         if (share < 1.0)
         {
-            half = share * sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + (1.0 - share) * strip_lengths__neighbouring_length(work, count, i);
+            beside = strip_lengths__neighbouring_length(work, count, i);
+            half = share * sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + (1.0 - share) * beside;
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
         }
     }

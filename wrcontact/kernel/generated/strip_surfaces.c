@@ -1,6 +1,6 @@
 /* Generated from normal/strip_surfaces.py by tools/transpile_kernel.py; change that one.
  *
- * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track.
+ * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it.
  */
 
 #include "strip_surfaces.h"
@@ -86,6 +86,7 @@ static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int6
     double turned;
     double reach;
     double last;
+    double way;
     stretch = 1.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -112,7 +113,8 @@ static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int6
         (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
         if (i > INT64_C(0))
         {
-            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION))) * 0.5 * (last + stretch);
+            way = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + 0.5 * (last + stretch) * way;
         }
     }
     return INT64_C(0);
@@ -196,8 +198,8 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
     return INT64_C(0);
 }
 
-/* Half-lengths of the strips, which lie in ``count`` regions, from how long and wide their zones are: those
- * of Hertz's ellipse for gap and curvature at each strip.
+/* Half-lengths of the strips, which lie in ``count`` regions, from how wide their zones are:
+ * those of Hertz's ellipse for gap and curvature at each strip.
  */
 static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count)
 {

@@ -1,6 +1,6 @@
 /* Generated from normal/strip_surfaces.py by tools/transpile_kernel.py; change that one.
  *
- * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track.
+ * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it.
  */
 
 #ifndef WRCONTACT_KERNEL_STRIP_SURFACES_H

@@ -60,8 +60,8 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
 
 /* Strips that are laid by the pressures of the first layout, solved; results as there.
  *
- * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries that,
- * the strips are those of a wheel that is pressed so deep.
+ * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
+ * that, the strips are those of a wheel that is pressed so deep.
  */
 static inline int64_t strips__second_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
 {

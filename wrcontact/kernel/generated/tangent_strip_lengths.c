@@ -186,9 +186,11 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
     double share_t;
     double share;
     double v8;
+    double v8_t;
+    double beside_t;
+    double beside;
     double v9;
     double v10;
-    double v10_t;
     double v11;
     double v12;
     double v13;
@@ -241,11 +243,13 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
         share = v7;
         if (share < 1.0)
         {
-            v8 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-            v9 = 1.0 - share;
-            tangent_strip_lengths__neighbouring_length_t(&v10, &v10_t, work, work_t, count, i);
-            half_t = share_t * v8 + share * tangent_rates__root_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * v10 + v9 * v10_t);
-            half = share * v8 + v9 * v10;
+            tangent_strip_lengths__neighbouring_length_t(&v8, &v8_t, work, work_t, count, i);
+            beside_t = v8_t;
+            beside = v8;
+            v9 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
+            v10 = 1.0 - share;
+            half_t = share_t * v9 + share * tangent_rates__root_rate(v9, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * beside + v10 * beside_t);
+            half = share * v9 + v10 * beside;
             (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
         }

@@ -93,7 +93,8 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         strip = strips[i]
         share = strip.pressure / (LIGHT * largest)
         if share < 1.0:
-            half = share * sqrt(strip.half_length_square) + (1.0 - share) * neighbouring_length(strips, count, i)
+            beside = neighbouring_length(strips, count, i)
+            half = share * sqrt(strip.half_length_square) + (1.0 - share) * beside
             strip.half_length_square = half * half
     for i in range(count):
         strip = strips[i]

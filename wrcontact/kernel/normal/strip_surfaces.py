@@ -1,4 +1,4 @@
-"""What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it along the track."""
+"""What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it."""
 
 from math import log, sqrt
 from typing import Final
@@ -40,7 +40,7 @@ SHARPEST_ZONE: Final[float] = 1e3
 #: than this one of the depth.
 INSIDE: Final[float] = 0.25
 LEAST_OVERLAP: Final[float] = 0.05
-#: The middle of a strip is before its ridge by no more than this share of the half-length, before it is known.
+#: The middle of a strip begins before its ridge by no more than this share of the half-length.
 FIRST_LEAD: Final[float] = 0.5
 
 
@@ -111,7 +111,8 @@ def place_on_middle(strips: Strips, count: int):
         strip.breadth = strip.width * stretch
         strip.place = strip.station
         if i > 0:
-            strip.place = strips[i - 1].place + (strip.station - strips[i - 1].station) * 0.5 * (last + stretch)
+            way = strip.station - strips[i - 1].station
+            strip.place = strips[i - 1].place + 0.5 * (last + stretch) * way
     return 0
 
 
@@ -162,8 +163,8 @@ def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
 
 
 def first_lengths(tables: Tables, contact: Contact, count: int):
-    """Half-lengths of the strips, which lie in ``count`` regions, from how long and wide their zones are: those
-    of Hertz's ellipse for gap and curvature at each strip."""
+    """Half-lengths of the strips, which lie in ``count`` regions, from how wide their zones are:
+    those of Hertz's ellipse for gap and curvature at each strip."""
     problem = contact.strip_problem
     frame = contact.frame
     for index in range(count):

@@ -68,8 +68,8 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
                   by_penetration: int):
     """Strips that are laid by the pressures of the first layout, solved; results as there.
 
-    Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries that,
-    the strips are those of a wheel that is pressed so deep.
+    Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
+    that, the strips are those of a wheel that is pressed so deep.
     """
     problem = contact.strip_problem
     lay_strips(tables, contact, state, count, tables.strips)
