@@ -22,8 +22,7 @@ from typing import Final
 
 from ..layout import Frame, Place, Tables
 from ..surface.locus import outline_jet
-from ..surface.profile_table import height_slope_bend
-from .arc_length import rail_speed
+from ..surface.profile_table import height_slope, height_slope_bend
 from .pressed import normal_line
 
 #: The pair is found when it moves by less [m]; its depth is then exact to rounding, being second order.
@@ -114,7 +113,8 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
             high = x
         following = 0.5 * (low + high)
         if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
-            newton = x - rise / (bend * rail_speed(tables, x))
+            z_rail, slope = height_slope(tables.rail, x)
+            newton = x - rise / (bend * sqrt(1.0 + slope * slope))
             if newton > low and newton < high:
                 following = newton
         if fabs(following - x) < DEEP_SHARP:

@@ -167,6 +167,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     double curvature;
     int64_t found;
     double following;
+    double z_rail;
+    double slope;
     double newton;
     int64_t turned;
     x = 0.5 * (low + high);
@@ -195,7 +197,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
         following = 0.5 * (low + high);
         if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
         {
-            newton = x - rise / (bend * arc_length__rail_speed(tables, x));
+            profile_table__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+            newton = x - rise / (bend * sqrt(1.0 + slope * slope));
             if ((newton > low) && (newton < high))
             {
                 following = newton;

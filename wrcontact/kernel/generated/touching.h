@@ -23,7 +23,6 @@
 #define WRCONTACT_KERNEL_TOUCHING_H
 
 #include "../native/spans.h"
-#include "arc_length.h"
 #include "layout.h"
 #include "locus.h"
 #include "pressed.h"

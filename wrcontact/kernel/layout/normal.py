@@ -4,6 +4,7 @@ from typing import Final
 
 from .contact import REGION_LIMIT
 from .record import OPEN, Float, centred, record, run
+from .surface import Cubic
 
 NODE_LIMIT: Final[int] = 256         # nodes of a region
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
@@ -76,14 +77,6 @@ class StripProblem:
     loaded: run(STRIP_LIMIT)        # the numbers of the loaded strips, in order
     distances: Distances            # ln of the distance of strips i and j, in metres
     influences: Influences          # F_ij, displacement of middle line i for y_j = 1; eqs. (S2), (S4)
-
-
-@record
-class Cubic:
-    value: float                    # coefficients of 1, u, u^2, u^3
-    slope: float
-    bend: float
-    third: float
 
 
 @record
