@@ -5,29 +5,27 @@
 
 #include "mean_normal.h"
 
-/* Change of the rail's abscissa per station of the open frame [-]. */
+/* Change of the rail's abscissa per station of the open frame, of a wheel that is not pressed [-]. */
 static inline double mean_normal__rail_per_station(array_double_1d work, array_double_1d tables, double abscissa)
 {
     double height;
     double slope;
-    double along;
+    double result;
     profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-    along = sqrt(1.0 + slope * slope);
-    if (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0))
-    {
-        along = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    }
-    return 1.0 / along;
+    result = 1.0 / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    return result;
 }
 
 /* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
  * local penetration [m].
  *
- * The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others
- * in the plane.
+ * Nodes of a pressed wheel lie along the rail; others lie in the plane, and the rail is followed from one to
+ * the next by the midpoint rule.
  */
 static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
 {
+    bool pressed;
+    double arc;
     double total;
     double cosines;
     double sines;
@@ -40,6 +38,13 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
     double slope;
     double cosine;
     double weight;
+    double middle;
+    pressed = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0;
+    arc = 0.0;
+    if (pressed)
+    {
+        arc = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
+    }
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
@@ -68,7 +73,15 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
             total += weight;
             cosines += weight * cosine;
             sines += weight * slope * cosine;
-            x += step * mean_normal__rail_per_station(work, tables, x + 0.5 * step * mean_normal__rail_per_station(work, tables, x));
+            if (pressed)
+            {
+                x = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
+            }
+            else
+            {
+                middle = x + 0.5 * step * mean_normal__rail_per_station(work, tables, x);
+                x += step * mean_normal__rail_per_station(work, tables, middle);
+            }
         }
     }
     if (total > 0.0)

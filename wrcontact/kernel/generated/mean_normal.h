@@ -7,6 +7,7 @@
 #define WRCONTACT_KERNEL_MEAN_NORMAL_H
 
 #include "../native/spans.h"
+#include "cubic_table.h"
 #include "layout.h"
 #include "profile_table.h"
 
