@@ -39,8 +39,9 @@ WANDER: Final[float] = 5e-3
 DOWNHILL: Final[float] = 0.25e-3
 #: Gap of a region that does not exist, and station of a bound that is none [m]; longer than any profile.
 BEYOND: Final[float] = 1.0
-#: Tolerance of the traces while minima and saddles are sought [m].
-PLACE_TRACE: Final[float] = 1e-12
+#: Tolerance of the traces while minima and saddles are sought [m]; the residual is removed to second order,
+#: which leaves rounding.
+PLACE_TRACE: Final[float] = 1e-8
 #: Last Newton step to a minimum or a saddle [m]; a saddle cuts a load.
 PLACE_SHARP: Final[float] = 1e-11
 SADDLE_SAMPLES: Final[int] = 8
@@ -107,15 +108,22 @@ def incline_region(tables: Tables, region: Region, slope: float):
     return 0
 
 
-def open_contact_region(tables: Tables, frame: Frame, region: Region, state: State):
-    """The region of the rigid contact point itself, station and gap zero."""
+def measure_contact(tables: Tables, frame: Frame, state: State):
+    """Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x."""
     gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
+    frame.bend = bend
+    frame.curvature = curvature
+    return 0
+
+
+def open_contact_region(tables: Tables, frame: Frame, region: Region):
+    """The region of the rigid contact point itself, station and gap zero."""
     region.station = 0.0
     region.gap = 0.0
     region.rail = frame.rail.y
     region.wheel = frame.wheel.y
-    region.bend = bend
-    region.curvature = curvature
+    region.bend = frame.bend
+    region.curvature = frame.curvature
     region.low = -BEYOND
     region.high = BEYOND
     incline_region(tables, region, frame.plane.sin / frame.plane.cos)

@@ -23,7 +23,7 @@ from typing import Final
 from ..layout import Frame, Place, Tables
 from ..surface.locus import outline_jet
 from ..surface.profile_table import height_slope, height_slope_bend
-from .pressed import normal_line
+from .pressed import LINE_SHARP, normal_line
 
 #: The pair is found when it moves by less [m]; its depth is then exact to rounding, being second order.
 PAIR_SHARP: Final[float] = 1e-12
@@ -104,7 +104,7 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
     rise = 1.0
     before = 0.0
     for i in range(DEEP_ITERATIONS):
-        y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height)
+        y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height, LINE_SHARP)
         if found == 0:
             return x, y, overlap, 0
         if sign * rise > 0.0:

@@ -82,7 +82,7 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
         }
         else
         {
-            regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+            regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         }
         estimate__start_penetrations(work, (*count), estimate);
         analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
@@ -109,7 +109,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
     }
     else
     {
-        regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+        regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         count = regions__find_regions(work, tables, side, state, penetration);
         count = regions__bound_regions(work, tables, state, count, penetration);
         planes__give_planes(work, tables, state, count);

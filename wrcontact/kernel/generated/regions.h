@@ -22,14 +22,15 @@ static const double regions__SEPARATE = 0.0002;
 static const double regions__WANDER = 0.005;
 static const double regions__DOWNHILL = 0.00025;
 static const double regions__BEYOND = 1.0;
-static const double regions__PLACE_TRACE = 1e-12;
+static const double regions__PLACE_TRACE = 1e-08;
 static const double regions__PLACE_SHARP = 1e-11;
 static const int64_t regions__SADDLE_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(30);
 
 static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
 static inline double regions__open_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double station);
-static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state);
+static inline int64_t regions__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 static inline int64_t regions__is_new(array_double_1d work, int64_t count);
 static inline int64_t regions__find_regions(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double level);
 static inline int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second);

@@ -76,7 +76,7 @@ static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetrat
         }
         else
         {
-            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         }
         tangent_estimate__start_penetrations_t(work, work_t, (*count), estimate, estimate_t);
         tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
@@ -107,7 +107,7 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d w
     }
     else
     {
-        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         n2 = tangent_regions__find_regions_t(work, work_t, tables, side, state, penetration, penetration_t);
         count = n2;
         n3 = tangent_regions__bound_regions_t(work, work_t, tables, state, count, penetration, penetration_t);

@@ -177,7 +177,7 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     before = 0.0;
     for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height);
+        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
         if (found == INT64_C(0))
         {
             (*result_0) = x;

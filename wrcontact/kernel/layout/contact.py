@@ -51,6 +51,8 @@ class Frame:
     pressed: bool                   # whether the wheel is pressed into the rail, rather than just touching it
     height: float                   # vertical shift at which a pressed wheelset stands [m]
     depth: float                    # largest overlap of a pressed wheel, along the normal [m]
+    bend: float                     # second derivative of the gap at the contact point [1/m]
+    curvature: float                # and the wheel's 1/R_x there [1/m]
     blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
 
 

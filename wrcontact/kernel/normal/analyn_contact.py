@@ -79,7 +79,7 @@ def solve_estimated(tables: Tables, contact: Contact, state: State, side: SideSe
             keep_deepest(contact.overlap)
             gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
         else:
-            open_contact_region(tables, contact.frame, contact.regions[0], state)
+            open_contact_region(tables, contact.frame, contact.regions[0])
         start_penetrations(contact.regions, count, estimate)
         penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
     return penetration, count, satisfied
@@ -96,7 +96,7 @@ def gather_regions(tables: Tables, contact: Contact, state: State, side: SideSea
         count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap,
                                 state)
     else:
-        open_contact_region(tables, contact.frame, contact.regions[0], state)
+        open_contact_region(tables, contact.frame, contact.regions[0])
         count = find_regions(tables, contact.frame, contact.regions, side, state, penetration)
         count = bound_regions(tables, contact.frame, contact.regions, state, count, penetration)
         give_planes(tables, contact.frame, contact.frames, contact.regions, state, count)

@@ -26,6 +26,7 @@ from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
 from .intrinsics import held, moving, rate_of, seeded
 
+
 def place_moving(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
     place_both(tables, work.inputs, work.sides, roll)
