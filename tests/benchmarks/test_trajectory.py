@@ -10,7 +10,16 @@ from benchmarks import counts, trajectory
 from wrcontact.kernel.binding.library import default_kernel
 
 STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
-BUDGETS = {}
+#: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (counts.COUNTS).
+BUDGETS = {
+    "Hertz, rigid": (32.57, 2.03, 4.14, 2.00, 0.00, 0.00),
+    "ANALYN, rigid": (62.40, 2.03, 4.14, 51.80, 7.45, 0.00),
+    "strips, rigid": (62.40, 2.03, 4.14, 79.06, 7.00, 5.50),
+    "ANALYN, compliant": (85.27, 2.00, 0.00, 43.74, 2.65, 0.00),
+    "ANALYN, elastic": (325.70, 4.69, 8.65, 212.22, 26.96, 0.00),
+    "strips, compliant": (85.27, 2.00, 0.00, 71.05, 2.62, 5.49),
+    "strips, elastic": (307.85, 4.69, 8.34, 311.62, 28.24, 23.48),
+}
 SLACK = 1.03
 
 
