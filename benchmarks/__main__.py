@@ -16,7 +16,7 @@ from wrcontact.plots import style
 from wrcontact.progress import tracked
 from wrcontact.study.compare import search_rows
 
-from . import counts, growth, machine, picture, random_poses, rows, skips
+from . import counts, growth, machine, picture, random_poses, rows, skips, trajectory
 from .peers import PEERS, SOURCE
 from .table import figure, line, markdown, percent, rule
 
@@ -37,7 +37,8 @@ def main(arguments=None):
     print(full_table(measured, effort), flush=True)
     if options.picture:
         print(style.save(picture.figure(measured), options.picture), file=sys.stderr)
-    for part in tracked((search_table, skip_table, count_table, growth_table, thread_table), "tables"):
+    for part in tracked((trajectory_table, search_table, skip_table, count_table, growth_table,
+                          thread_table), "tables"):
         print(part(effort), flush=True)
     print(random_poses.numerics(effort.count), flush=True)
     print(random_part(options), flush=True)
@@ -79,6 +80,11 @@ def full_table(measured, effort):
     if effort.every > 1:
         notes.append(f"Quick run: the half-space solves every {effort.every}th row of the hunting run.")
     return text + "\n" + " ".join(notes) + "\n"
+
+
+def trajectory_table(effort):
+    """Cost and work of a step on the trajectory that the speed is judged by."""
+    return trajectory.table(10 * effort.count, effort.passes * effort.rounds)
 
 
 def search_table(effort):

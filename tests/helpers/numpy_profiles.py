@@ -28,7 +28,7 @@ SHORTEST_PIECE = 1e-3  # [mm]; measured profiles have knots this close
 REPAIR_WIDTH = 0.5
 #: Smaller height steps are not repaired [mm].
 REPAIRED_STEP = 1e-6
-BIN_WIDTH = 0.25  # [mm]
+BIN_WIDTH = 0.03125  # [mm]
 
 
 def place_rail(rail, *, inclination, gauge, gauge_depth):

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from tests.helpers.numpy_arcs import arc_tables
 from tests.helpers.numpy_curvatures import (
     empty_curvature_table,
     rough_curvature_table,
@@ -32,6 +33,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     """
     lateral_curvature = methods.get("lateral_curvature", layout.LATERAL_ADAPTIVE)
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
+    arc, at_arc = arc_tables(rail_table)
     parts = {
         layout.SET_WHEEL: wheel_table,
         layout.SET_RAIL: rail_table,
@@ -43,6 +45,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
                                                     curvature_reach),
         layout.SET_RAIL_CURVATURE: curvature_table(rail_table, 1.0, lateral_curvature, curvature_step,
                                                    curvature_reach),
+        layout.SET_RAIL_ARC: arc, layout.SET_RAIL_AT_ARC: at_arc,
     }
     settings = np.zeros(layout.SETTING_COUNT)
     settings[layout.SET_RADIUS] = nominal_radius

@@ -42,9 +42,9 @@ def test_tables_hold_numbers_at_every_scale(rail, parameters):
     kind = "rough" if "curvature_step" in parameters else "smooth"
     system = wrcontact.ContactSystem(rail=rail, lateral_curvature=kind, **parameters)
     for setting, end in ((layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE),
-                         (layout.SET_RAIL_CURVATURE, None)):
+                         (layout.SET_RAIL_CURVATURE, layout.SET_RAIL_ARC)):
         start = int(system._tables[setting])
-        table = system._tables[start:int(system._tables[end]) if end else None]
+        table = system._tables[start:int(system._tables[end])]
         assert np.all(np.isfinite(table)) and np.abs(table[3:]).max() < 2000.0
     state = system.evaluate_many(np.linspace(-6.5e-3, 6.5e-3, 41), normal_force=5e4)
     assert np.all(state.status == 0) and np.all(np.isfinite(state.values))

@@ -194,7 +194,7 @@ def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
              for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
     kept, off = (np.concatenate(part) for part in zip(*every))
     assert kept.mean() > 0.9        # the others stand within a nanometre of a jump
-    # nodes are laid over widths that are known to 2.5e-6 (regions.WIDTH_SHARP)
+    # nodes are laid over widths that are known to 1e-5 (zone_width.WIDTH_SHARP)
     assert np.median(off[kept]) < 1e-5
     assert np.percentile(off[kept], 80) < 1e-3
     assert np.mean(off[kept] > 0.02) < 0.02 + 6 / len(off)

@@ -2,15 +2,16 @@
 
 Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
-Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail; any
-          coordinate is suitable for them that is smooth, the same at every use, and cheap.
+a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
+          suitable for them that is smooth, the same at every use, and cheap.
 """
 
-from math import fabs, sqrt
+from math import sqrt
 from typing import Final
 
 from ..layout import PIECE_SIZE, Frame, Origin, Piece, Tables
-from ..surface.profile_table import find_piece, height_slope, height_slope_bend
+from ..surface.cubic_table import read_cubic_jet, read_cubic
+from ..surface.profile_table import find_piece, height_slope
 from .curves import curve_profile, curve_speed
 
 #: Gauss's abscissae and weights for six points on -1 ... 1; the kernel's pieces are shorter than their
@@ -21,12 +22,6 @@ GAUSS_3: Final[float] = 0.9324695142031521
 WEIGHT_1: Final[float] = 0.4679139345726910
 WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
-#: Simpson's rule is applied to stretches of no more than this [m].
-SIMPSON_STEP: Final[float] = 1e-3
-#: The rail's abscissa is found when Newton's last move is no longer than this [m]; the error is of
-#: second order in it.
-SIMPSON_SHARP: Final[float] = 1e-9
-SIMPSON_ITERATIONS: Final[int] = 20
 
 
 def panel_length(tables: Tables, frame: Frame, origin: Origin, curve: int, low: float, high: float):
@@ -75,45 +70,27 @@ def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: 
     return total
 
 
-def rail_speed(tables: Tables, abscissa: float):
-    """Arc length per abscissa of the rail [-]."""
-    height, slope = height_slope(tables.rail, abscissa)
-    return sqrt(1.0 + slope * slope)
-
-
 def rail_length(tables: Tables, start: float, stop: float):
-    """Length of the rail profile between two abscissae [m] by Simpson's rule, negative where ``stop`` is the
-    smaller one."""
-    cells = int(fabs(stop - start) / SIMPSON_STEP) + 1
-    step = (stop - start) / float(cells)
-    total = 0.0
-    low = rail_speed(tables, start)
-    for i in range(cells):
-        begin = start + step * float(i)
-        middle = rail_speed(tables, begin + 0.5 * step)
-        high = rail_speed(tables, begin + step)
-        total += low + 4.0 * middle + high
-        low = high
-    return total * step / 6.0
+    """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one."""
+    return read_cubic(tables.rail_arc, stop) - read_cubic(tables.rail_arc, start)
 
 
 def rail_abscissa(tables: Tables, start: float, length: float):
-    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, in steps of no more than
-    SIMPSON_STEP: a parabola gives a first estimate, and Newton's method on Simpson's rule the result."""
-    steps = int(fabs(length) / SIMPSON_STEP) + 1
-    way = length / float(steps)
-    x = start
-    for step in range(steps):
-        height, slope, bend = height_slope_bend(tables.rail, x)
-        before = sqrt(1.0 + slope * slope)
-        cosine = 1.0 / before
-        following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine)
-        for i in range(SIMPSON_ITERATIONS):
-            middle = rail_speed(tables, 0.5 * (x + following))
-            after = rail_speed(tables, following)
-            move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after
-            following += move
-            if fabs(move) < SIMPSON_SHARP:
-                break
-        x = following
+    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
+
+    The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
+    leaves rounding.
+    """
+    rail = tables.rail
+    arcs = tables.rail_arc
+    abscissae = tables.rail_at_arc
+    arc = read_cubic(arcs, start) + length
+    if arc < 0.0:
+        x = rail.start + arc
+    elif arc * abscissae.cells_per_unit > abscissae.count:
+        x = rail.stop + (arc - abscissae.count / abscissae.cells_per_unit)
+    else:
+        x = read_cubic(abscissae, arc)
+        found, speed = read_cubic_jet(arcs, x)
+        x += (arc - found) / speed
     return x

@@ -14,7 +14,7 @@ from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
-from .pressed import normal_line
+from .pressed import LINE_SHARP, normal_line
 from .touching import turning_point
 
 #: Between two samples the overlap is examined in this many parts.
@@ -62,7 +62,8 @@ def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: floa
             return rail.start
         if x >= rail.stop:
             return rail.stop
-        y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height)
+        y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height,
+                                                             LINE_SHARP)
         if found == 0 or rise * step < 0.0:
             break
         x += step
@@ -83,7 +84,7 @@ def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, l
         falls = 1
         if i < OVERLAP_PARTS:
             near, depth, rise, bend, curvature, found = normal_line(tables, frame, place, stop, estimate,
-                                                                    height)
+                                                                    height, LINE_SHARP)
             if found == 1:
                 estimate = near
             if found == 1 and rise > 0.0:
@@ -106,7 +107,8 @@ def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, sid
     z, slope = height_slope(tables.wheel, side.best_y)
     y_track, z_track, outline_slope = outline_point(place, side.best_y, z, slope)
     x = y_track - tables.rail_y
-    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, side.best_y, height)
+    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, side.best_y, height,
+                                                         LINE_SHARP)
     deepest = 0.0
     if overlap.count > 0:
         deepest = overlap.points[deepest_entry(overlap)].depth
@@ -117,7 +119,8 @@ def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, sid
         far = x
         while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found == 1:
             far += step
-            y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, far, y, height)
+            y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, far, y, height,
+                                                                 LINE_SHARP)
             step *= 2.0
         low = x
         high = far

@@ -25,9 +25,12 @@ from ..surface.profile_table import height_slope, height_slope_bend
 from .arc_length import rail_abscissa
 from .contact_plane import NO_GAP
 
-#: The wheel's abscissa is found to this [m],
-LINE_SHARP: Final[float] = 1e-12
-#: and to this after the last iteration: at a joint of the profile Newton's method can alternate between both
+#: The wheel's abscissa is found when Newton's last move is no longer than this [m], for deepest points and
+#: for nodes. The move is still made, and the overlap follows it to second order: what is left is rounding,
+#: or 4e-11 m at a node where the curvature jumps within the move.
+LINE_SHARP: Final[float] = 1e-8
+NODE_SHARP: Final[float] = 1e-6
+#: And this after the last iteration: at a joint of the profile Newton's method can alternate between both
 #: sides [m].
 LINE_JOINT: Final[float] = 1e-7
 LINE_ITERATIONS: Final[int] = 20
@@ -39,10 +42,12 @@ FARTHEST: Final[float] = 5e-3
 LEAST_WAY: Final[float] = 1e-5
 
 
-def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):
+def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
+                tolerance: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
-    moved down by ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's
-    arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else 0."""
+    moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m], its
+    derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else
+    0."""
     wheel = tables.wheel
     z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
@@ -57,8 +62,8 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
         if not (along > 0.0 and stretch > 0.0):
             return y, 0.0, 0.0, 0.0, 0.0, 0
         move = -residual / along
-        sharp = LINE_SHARP
-        if i == LINE_ITERATIONS - 1:
+        sharp = tolerance
+        if i == LINE_ITERATIONS - 1 and sharp < LINE_JOINT:
             sharp = LINE_JOINT
         if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
@@ -69,6 +74,14 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope)
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos
             steep = 1.0 + rise * rise
+            # from the wheel's point to the rail's normal: over the rail's tangent the overlap is a curve
+            rest = -residual * cosine
+            turn = wheel_kappa * steep * sqrt(steep) * rest
+            overlap += rest * (rise + 0.5 * turn)
+            rise += turn
+            y += move
+            z += slope * move
+            slope += bend * move
             relative_kappa = wheel_kappa * sqrt(steep) - kappa
             curvature = longitudinal_curvature(tables, place, z, slope, mean_bend(tables, frame, y, bend))
             return y, overlap, rise, steep * relative_kappa, curvature, 1
@@ -120,7 +133,7 @@ def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
         trace = frame.traces[WHEEL]
         estimate = trace.abscissa + way * trace.rate
         y, overlap, rise, rise_rate, found_curvature, found = normal_line(
-            tables, frame, frame.place, abscissa, estimate, frame.height)
+            tables, frame, frame.place, abscissa, estimate, frame.height, NODE_SHARP)
         if found == 1:
             gap = frame.raised + frame.depth - overlap
             rate = -rise

@@ -8,8 +8,8 @@ from .contact_plane import normal_gap
 
 #: Station of a bound that is none [m]; longer than any profile.
 BEYOND: Final[float] = 1.0
-#: Tolerance of the traces [m].
-PLACE_TRACE: Final[float] = 1e-12
+#: Tolerance of the traces [m]; the residual is removed to second order, which leaves rounding.
+PLACE_TRACE: Final[float] = 1e-8
 
 
 def incline_region(tables: Tables, region: Region, slope: float):
@@ -28,15 +28,22 @@ def incline_region(tables: Tables, region: Region, slope: float):
     return 0
 
 
-def open_contact_region(tables: Tables, frame: Frame, region: Region, state: State):
-    """The region of the rigid contact point itself, station and gap zero."""
+def measure_contact(tables: Tables, frame: Frame, state: State):
+    """Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x."""
     gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
+    frame.bend = bend
+    frame.curvature = curvature
+    return 0
+
+
+def open_contact_region(tables: Tables, frame: Frame, region: Region):
+    """The region of the rigid contact point itself, station and gap zero."""
     region.station = 0.0
     region.gap = 0.0
     region.rail = frame.rail.y
     region.wheel = frame.wheel.y
-    region.bend = bend
-    region.curvature = curvature
+    region.bend = frame.bend
+    region.curvature = frame.curvature
     region.low = -BEYOND
     region.high = BEYOND
     incline_region(tables, region, frame.plane.sin / frame.plane.cos)

@@ -10,12 +10,12 @@ pair the outline and the rail have one slope m and the line between both points 
 with (X, Z) the wheel's point at abscissa y in its present pose.
 """
 
-from math import fabs
+from math import fabs, sqrt
 from typing import Final
 
 from ..layout import Frame, Place, Tables
-from .arc_length import rail_speed
-from .pressed import normal_line
+from ..surface.profile_table import height_slope
+from .pressed import LINE_SHARP, normal_line
 
 #: A deepest point is located to this on the rail [m], so that differences of its place between poses are its
 #: derivatives; its depth, being second order, asks for less.
@@ -50,7 +50,7 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
     rise = 1.0
     before = 0.0
     for i in range(DEEP_ITERATIONS):
-        y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height)
+        y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height, LINE_SHARP)
         if found == 0:
             return x, y, overlap, 0
         if sign * rise > 0.0:
@@ -59,7 +59,8 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
             high = x
         following = 0.5 * (low + high)
         if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
-            newton = x - rise / (bend * rail_speed(tables, x))
+            z_rail, slope = height_slope(tables.rail, x)
+            newton = x - rise / (bend * sqrt(1.0 + slope * slope))
             if newton > low and newton < high:
                 following = newton
         if fabs(following - x) < DEEP_SHARP:

@@ -16,7 +16,7 @@ from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope_bend
 
 #: A trace is extrapolated to second order over this distance at most [m].
-EXTRAPOLATED: Final[float] = 1e-3
+EXTRAPOLATED: Final[float] = 4e-3
 TRACE_ITERATIONS: Final[int] = 30
 
 
@@ -75,8 +75,9 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
     trace.rate = along
     trace.bend = ordinate_bend * plane.sin
     ordinate = (u - point.y) * plane.sin - (height - point.z) * plane.cos
+    move = -excess * along
     return (ordinate - excess * (rate - 0.5 * excess * ordinate_bend), rate - excess * ordinate_bend,
-            ordinate_bend, slope, height, exists)
+            ordinate_bend, slope + move * bend, height + move * slope, exists)
 
 
 def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
@@ -147,9 +148,10 @@ def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float
     per_stretch = 1.0 / stretch
     rate = (sine - outline_slope * cosine) * per_along
     ordinate_bend = -outline_rate * per_stretch * per_along * per_along * per_along
-    trace.abscissa = y - excess * per_along * per_stretch
+    move = -excess * per_along * per_stretch
+    trace.abscissa = y + move
     trace.rate = per_along * per_stretch
     trace.bend = ordinate_bend * sine * per_stretch
-    curvature = longitudinal_curvature(tables, place, z, slope, bend)
+    curvature = longitudinal_curvature(tables, place, z + move * slope, slope + move * bend, bend)
     ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend)
     return ordinate, rate - excess * ordinate_bend, ordinate_bend, curvature, exists

@@ -9,14 +9,14 @@ from .curves import open_origin
 from .separation import separation
 from .traces import start_traces
 
-#: Tolerance of the traces [m]: this share of the estimated half-width, or less.
-TRACE_OF_WIDTH: Final[float] = 1e-3
-WIDTH_TRACE: Final[float] = 5e-8
+#: Tolerance of the traces [m]: this share of the estimated half-width, or less; as that of nodes.
+TRACE_OF_WIDTH: Final[float] = 1e-2
+WIDTH_TRACE: Final[float] = 5e-6
 WIDTH_ITERATIONS: Final[int] = 60
 #: Last halving, relative [-].
 HALVED_SHARP: Final[float] = 1e-9
 #: Last Newton step, relative [-]; its error is a tenth of the square.
-WIDTH_SHARP: Final[float] = 5e-3
+WIDTH_SHARP: Final[float] = 1e-2
 #: The same where height and roll are sought, which asks for a smooth answer [-].
 PRESSED_SHARP: Final[float] = 1e-5
 

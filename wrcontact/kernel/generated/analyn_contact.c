@@ -12,13 +12,13 @@
 
 #include "analyn_contact.h"
 
-/* Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
- * satisfied, else 0.
+/* Fill the solved patches by ANALYN if they are wanted; penetration [m], number of regions, and 1 when
+ * the force is satisfied, else 0.
  */
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
 {
     analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
-    if ((*satisfied) == INT64_C(1))
+    if (((*satisfied) == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         planes__locate_along_track(work, tables, (*count));
         node_patches__fill_from_nodes(work, (*count));

@@ -4,8 +4,8 @@
  *
  * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
  *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
- * Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail; any
- *           coordinate is suitable for them that is smooth, the same at every use, and cheap.
+ * a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
+ *           suitable for them that is smooth, the same at every use, and cheap.
  */
 
 #include "arc_length.h"
@@ -88,83 +88,45 @@ static OUT_OF_LINE double arc_length__arc_length(array_double_1d work, array_dou
     return total;
 }
 
-/* Arc length per abscissa of the rail [-]. */
-static OUT_OF_LINE double arc_length__rail_speed(array_double_1d tables, double abscissa)
-{
-    double height;
-    double slope;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-    return sqrt(1.0 + slope * slope);
-}
-
-/* Length of the rail profile between two abscissae [m] by Simpson's rule, negative where ``stop`` is the
- * smaller one.
- */
+/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
 static OUT_OF_LINE double arc_length__rail_length(array_double_1d tables, double start, double stop)
 {
-    int64_t cells;
-    double step;
-    double total;
-    double low;
-    int64_t i;
-    double begin;
-    double middle;
-    double high;
-    cells = (int64_t)(fabs(stop - start) / arc_length__SIMPSON_STEP) + INT64_C(1);
-    step = (stop - start) / (double)(cells);
-    total = 0.0;
-    low = arc_length__rail_speed(tables, start);
-    for (i = INT64_C(0); i < cells; i += INT64_C(1))
-    {
-        begin = start + step * (double)(i);
-        middle = arc_length__rail_speed(tables, begin + 0.5 * step);
-        high = arc_length__rail_speed(tables, begin + step);
-        total += low + 4.0 * middle + high;
-        low = high;
-    }
-    return total * step / 6.0;
+    double result;
+    result = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop) - cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start);
+    return result;
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, in steps of no more than
- * SIMPSON_STEP: a parabola gives a first estimate, and Newton's method on Simpson's rule the result.
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
+ *
+ * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
+ * leaves rounding.
  */
 static OUT_OF_LINE double arc_length__rail_abscissa(array_double_1d tables, double start, double length)
 {
-    int64_t steps;
-    double way;
-    int64_t step;
-    double height;
-    double slope;
-    double bend;
-    double before;
-    double cosine;
-    double following;
-    int64_t i;
-    double middle;
-    double after;
-    double move;
+    int64_t rail;
+    int64_t arcs;
+    int64_t abscissae;
+    double arc;
+    double found;
+    double speed;
     double x;
-    steps = (int64_t)(fabs(length) / arc_length__SIMPSON_STEP) + INT64_C(1);
-    way = length / (double)(steps);
-    x = start;
-    for (step = INT64_C(0); step < steps; step += INT64_C(1))
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
+    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
+    arc = cubic_table__read_cubic(tables, arcs, start) + length;
+    if (arc < 0.0)
     {
-        profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
-        before = sqrt(1.0 + slope * slope);
-        cosine = 1.0 / before;
-        following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine);
-        for (i = INT64_C(0); i < arc_length__SIMPSON_ITERATIONS; i += INT64_C(1))
-        {
-            middle = arc_length__rail_speed(tables, 0.5 * (x + following));
-            after = arc_length__rail_speed(tables, following);
-            move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after;
-            following += move;
-            if (fabs(move) < arc_length__SIMPSON_SHARP)
-            {
-                break;
-            }
-        }
-        x = following;
+        x = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
+    }
+    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
+    {
+        x = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
+    }
+    else
+    {
+        x = cubic_table__read_cubic(tables, abscissae, arc);
+        cubic_table__read_cubic_jet(&found, &speed, tables, arcs, x);
+        x += (arc - found) / speed;
     }
     return x;
 }

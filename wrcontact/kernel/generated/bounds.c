@@ -61,7 +61,7 @@ static inline int64_t bounds__least_bend(double* bend, double* stretch, array_do
     {
         rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, u);
         (*bend) = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + exponent));
-        if (length > bounds__FINE_CELL * (double)(INT64_C(1) << (int64_t)(exponent)))
+        if (length > bounds__FINE_CELL * (double)(INT64_C(1) << exponent))
         {
             (*bend) = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + (exponent + INT64_C(1))));
         }
@@ -81,7 +81,7 @@ static inline int64_t bounds__stretch_bend(double* length, double* bend, double*
     int64_t cells;
     int64_t first;
     double begin;
-    cells = INT64_C(1) << (int64_t)(exponent);
+    cells = INT64_C(1) << exponent;
     first = node;
     if (direction < INT64_C(0))
     {

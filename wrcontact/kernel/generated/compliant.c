@@ -20,7 +20,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
     status = layout__VALID;
-    if (roll__search_both(work, tables, state, INT64_C(0)) == INT64_C(0))
+    if (roll__search_both(work, tables, state, compliant__follow_starts(tables, work, state)) == INT64_C(0))
     {
         return layout__OFF_PROFILE;
     }
@@ -33,6 +33,28 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
         }
     }
     return status;
+}
+
+/* 1 if both smallest gaps could be followed from where they are known near the lateral shift, else 0. */
+static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d tables, array_double_1d work, array_double_1d state)
+{
+    int64_t row;
+    int64_t start;
+    int64_t known;
+    row = starts__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
+    known = INT64_C(0);
+    if (row >= INT64_C(0))
+    {
+        start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
+        known = roll__follow_side(work, tables, layout__WORK_SIDES, state);
+        if (known == INT64_C(1))
+        {
+            known = roll__follow_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+        }
+    }
+    return known;
 }
 
 /* The load of a side whose wheelset has the vertical shift ``height`` [m]; its

@@ -11,10 +11,12 @@
 #include "layout.h"
 #include "roll.h"
 #include "side.h"
+#include "starts.h"
 #include "trial.h"
 
 static const double compliant__GRAZING = 1e-13;
 
+static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d tables, array_double_1d work, array_double_1d state);
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
 

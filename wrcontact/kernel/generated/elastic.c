@@ -41,13 +41,14 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     elastic__first_estimate(&height, &move, tables, work);
     rigid_roll = roll;
     roll += move;
-    if (trial__turn_to(tables, work, state, roll) == INT64_C(0))
+    if (trial__turn_near(tables, work, state, roll) == INT64_C(0))
     {
         (*result_0) = roll;
         (*result_1) = layout__OFF_PROFILE;
         return 0;
     }
     elastic__iterate(&roll, &status, tables, work, state, roll, height, left, right);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     if (status == layout__NOT_CONVERGED)
     {
         brackets__bracket_roll(&roll, &status, tables, work, state, rigid_roll, left, right);
@@ -86,7 +87,9 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
 {
     double arm;
     int64_t trial;
+    double moved;
     int64_t status;
+    int64_t index;
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
@@ -94,6 +97,12 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
+        moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
+        if ((trial > INT64_C(0)) && (moved < elastic__NOT_LAST))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+        }
         status = trial__balance_both(tables, work, state, left, right, height);
         if (status > layout__UNLOADED)
         {
@@ -114,9 +123,19 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         }
         if ((fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) < elastic__ELASTIC_SHARP) && (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__ELASTIC_SHARP))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = trial__depth_outcome(work, status);
-            return 0;
+            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && (elastic__gaps_hold(tables, work, state, roll) == INT64_C(1)))
+            {
+                for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+                {
+                    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT)) = height + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
+                }
+                (*result_0_0001) = roll + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
+                (*result_1_0001) = trial__depth_outcome(work, status);
+                return 0;
+            }
+            /* the same place again, with patches, or with the smaller gap that was found */
+            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
+            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
         }
         (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = touching__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST);
         (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = touching__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST);
@@ -128,7 +147,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*result_1_0001) = layout__NOT_CONVERGED;
             return 0;
         }
-        if (trial__turn_to(tables, work, state, roll) == INT64_C(0))
+        if (trial__turn_near(tables, work, state, roll) == INT64_C(0))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = layout__NOT_CONVERGED;
@@ -138,6 +157,25 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     (*result_0_0001) = roll;
     (*result_1_0001) = layout__NOT_CONVERGED;
     return 0;
+}
+
+/* 1 if both sides' known gaps are the smallest at ``roll`` [rad], else 0; then smaller ones are known.
+ *
+ * Between trials they are only followed: an answer is certified once.
+ */
+static OUT_OF_LINE int64_t elastic__gaps_hold(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+{
+    double left;
+    double right;
+    int64_t hold;
+    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
+    hold = trial__turn_to(tables, work, state, roll);
+    if (((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) != left) || ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) != right))
+    {
+        hold = INT64_C(0);
+    }
+    return hold;
 }
 
 /* The residuals' derivatives from both levers [m]. */

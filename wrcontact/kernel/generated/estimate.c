@@ -47,7 +47,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
 static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
 {
     double result;
-    regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+    regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     result = estimate__estimate_penetration(work, tables, state, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;

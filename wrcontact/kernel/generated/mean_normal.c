@@ -5,29 +5,14 @@
 
 #include "mean_normal.h"
 
-/* Change of the rail's abscissa per station of the open frame [-]. */
-static inline double mean_normal__rail_per_station(array_double_1d work, array_double_1d tables, double abscissa)
-{
-    double height;
-    double slope;
-    double along;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-    along = sqrt(1.0 + slope * slope);
-    if (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0))
-    {
-        along = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    }
-    return 1.0 / along;
-}
-
 /* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
  * local penetration [m].
  *
- * The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others
- * in the plane.
+ * The nodes lie along the rail.
  */
 static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
 {
+    double arc;
     double total;
     double cosines;
     double sines;
@@ -40,6 +25,7 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
     double slope;
     double cosine;
     double weight;
+    arc = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
@@ -68,7 +54,7 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
             total += weight;
             cosines += weight * cosine;
             sines += weight * slope * cosine;
-            x += step * mean_normal__rail_per_station(work, tables, x + 0.5 * step * mean_normal__rail_per_station(work, tables, x));
+            x = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
         }
     }
     if (total > 0.0)

@@ -7,10 +7,10 @@
 #define WRCONTACT_KERNEL_MEAN_NORMAL_H
 
 #include "../native/spans.h"
+#include "cubic_table.h"
 #include "layout.h"
 #include "profile_table.h"
 
-static inline double mean_normal__rail_per_station(array_double_1d work, array_double_1d tables, double abscissa);
 static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
 
 #endif

@@ -44,9 +44,9 @@ static inline double nodes__trace_tolerance(double spacing)
 {
     double tolerance;
     tolerance = nodes__TRACE_SHARE * spacing;
-    if (tolerance > nodes__FINEST_TRACE)
+    if (tolerance > nodes__COARSEST_TRACE)
     {
-        tolerance = nodes__FINEST_TRACE;
+        tolerance = nodes__COARSEST_TRACE;
     }
     return tolerance;
 }

@@ -19,8 +19,8 @@
 #include "traces.h"
 
 static const double nodes__WINDOW = 0.26666666666666666;
-static const double nodes__TRACE_SHARE = 0.001;
-static const double nodes__FINEST_TRACE = 5e-08;
+static const double nodes__TRACE_SHARE = 0.01;
+static const double nodes__COARSEST_TRACE = 5e-06;
 static const double nodes__LEAST_TURN = 0.2;
 
 static inline int64_t nodes__window_nodes(array_double_1d tables);

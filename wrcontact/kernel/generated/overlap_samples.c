@@ -112,7 +112,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
             }
             else if (exponent > INT64_C(0))
             {
-                step = INT64_C(1) << (int64_t)(exponent);
+                step = INT64_C(1) << exponent;
                 adjacent = 0.0;
             }
             if (exponent < layout__EXPONENTS - INT64_C(1))

@@ -77,7 +77,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
             result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
             return result;
         }
-        pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, height);
+        pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
         if ((found == INT64_C(0)) || (rise * step < 0.0))
         {
             break;
@@ -119,7 +119,7 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
         falls = INT64_C(1);
         if (i < overlaps__OVERLAP_PARTS)
         {
-            pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, height);
+            pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, height, pressed__LINE_SHARP);
             if (found == INT64_C(1))
             {
                 estimate = near;
@@ -174,7 +174,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
     x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height);
+    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height, pressed__LINE_SHARP);
     deepest = 0.0;
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
@@ -191,7 +191,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
         while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && (found == INT64_C(1)))
         {
             far += step;
-            pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, far, y, height);
+            pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, far, y, height, pressed__LINE_SHARP);
             step *= 2.0;
         }
         low = x;

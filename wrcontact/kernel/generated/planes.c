@@ -11,7 +11,7 @@ static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(25) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
@@ -24,7 +24,7 @@ static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot)
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(25) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));

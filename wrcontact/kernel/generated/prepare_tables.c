@@ -200,6 +200,16 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
         (*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE)) = (double)(at);
         at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, work, scratch);
     }
+    if (at != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, layout__TABLES_RAIL_ARC)) = (double)(at);
+        at = prepare_arcs__write_arcs(tables, at, rail, work, scratch);
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)) = (double)(at);
+        at = prepare_arcs__write_abscissae(tables, at, rail, work, scratch);
+    }
     if (at == prepare_pieces__FULL)
     {
         return prepare_tables__TABLES_FULL;

@@ -13,6 +13,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "prepare_arcs.h"
 #include "prepare_curvatures.h"
 #include "prepare_pieces.h"
 #include "prepare_placement.h"

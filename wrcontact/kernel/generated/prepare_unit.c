@@ -3,6 +3,7 @@
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
+#include "prepare_arcs.c"
 #include "prepare_curvatures.c"
 #include "prepare_pieces.c"
 #include "prepare_placement.c"

@@ -20,10 +20,11 @@
 #include "pressed.h"
 
 /* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
- * moved down by ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's
- * arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else 0.
+ * moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m], its
+ * derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else
+ * 0.
  */
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height)
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
 {
     int64_t wheel;
     double z_rail;
@@ -51,6 +52,8 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double wheel_cos;
     double wheel_kappa;
     double steep;
+    double rest;
+    double turn;
     double relative_kappa;
     double curvature;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
@@ -76,8 +79,8 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             return 0;
         }
         move = (-residual) / along;
-        sharp = pressed__LINE_SHARP;
-        if (i == pressed__LINE_ITERATIONS - INT64_C(1))
+        sharp = tolerance;
+        if ((i == pressed__LINE_ITERATIONS - INT64_C(1)) && (sharp < pressed__LINE_JOINT))
         {
             sharp = pressed__LINE_JOINT;
         }
@@ -99,6 +102,14 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope);
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos;
             steep = 1.0 + rise * rise;
+            /* from the wheel's point to the rail's normal: over the rail's tangent the overlap is a curve */
+            rest = (-residual) * cosine;
+            turn = wheel_kappa * steep * sqrt(steep) * rest;
+            overlap += rest * (rise + 0.5 * turn);
+            rise += turn;
+            y += move;
+            z += slope * move;
+            slope += bend * move;
             relative_kappa = wheel_kappa * sqrt(steep) - kappa;
             curvature = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
             (*result_0_0001) = y;
@@ -203,7 +214,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
+        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP);
         if (found == INT64_C(1))
         {
             (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap;

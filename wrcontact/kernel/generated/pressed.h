@@ -28,7 +28,8 @@
 #include "longitudinal_curvature.h"
 #include "profile_table.h"
 
-static const double pressed__LINE_SHARP = 1e-12;
+static const double pressed__LINE_SHARP = 1e-08;
+static const double pressed__NODE_SHARP = 1e-06;
 static const double pressed__LINE_JOINT = 1e-07;
 static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
 static const double pressed__LINE_STEP = 0.004;
@@ -36,7 +37,7 @@ static const double pressed__FARTHEST = 0.005;
 static const double pressed__LEAST_WAY = 1e-05;
 
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height);
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
 
 #endif

@@ -26,20 +26,28 @@ static inline int64_t regions__incline_region(array_double_1d work, array_double
     return INT64_C(0);
 }
 
-/* The region of the rigid contact point itself, station and gap zero. */
-static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state)
+/* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
+static inline int64_t regions__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
     contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
+    return INT64_C(0);
+}
+
+/* The region of the rigid contact point itself, station and gap zero. */
+static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region)
+{
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
     (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
     regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));

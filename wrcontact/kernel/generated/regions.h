@@ -11,9 +11,10 @@
 #include "layout.h"
 
 static const double regions__BEYOND = 1.0;
-static const double regions__PLACE_TRACE = 1e-12;
+static const double regions__PLACE_TRACE = 1e-08;
 
 static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state);
+static inline int64_t regions__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 #endif

@@ -20,8 +20,8 @@ static inline int64_t side__clear_side(array_double_1d tables, array_double_1d w
     return INT64_C(0);
 }
 
-/* Normal contact of the side whose frame is open, and its part of the resultant; number
- * of its regions and outcome.
+/* Normal contact of the side whose frame is open, and its part of the resultant if patches are filled in;
+ * number of its regions and outcome.
  */
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed)
 {
@@ -37,12 +37,15 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
     }
-    resultant__add_patches(work, tables, penetration, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    totals__write_patches(work, out);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
-        outline = outlines__outline_place(tables, work, index);
-        outline__write_outline(work, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
+        resultant__add_patches(work, tables, penetration, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+        totals__write_patches(work, out);
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+        {
+            outline = outlines__outline_place(tables, work, index);
+            outline__write_outline(work, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
+        }
     }
     (*result_1) = layout__VALID;
     return 0;

@@ -36,8 +36,8 @@ static inline int64_t smallest_gap__search_side(array_double_1d work, array_doub
         behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
         {
-            walk__walk(work, tables, side, state, cell + (INT64_C(1) << (int64_t)(ahead)), INT64_C(1), INT64_C(0));
-            walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << (int64_t)(behind)), -INT64_C(1), INT64_C(0));
+            walk__walk(work, tables, side, state, cell + (INT64_C(1) << ahead), INT64_C(1), INT64_C(0));
+            walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1), INT64_C(0));
             return INT64_C(1);
         }
         node = cell;
@@ -122,12 +122,12 @@ static inline int64_t smallest_gap__list_minima(array_double_1d work, array_doub
     {
         ahead = INT64_C(0);
     }
-    walk__walk(work, tables, side, state, cell + (INT64_C(1) << (int64_t)(ahead)), INT64_C(1), INT64_C(1));
+    walk__walk(work, tables, side, state, cell + (INT64_C(1) << ahead), INT64_C(1), INT64_C(1));
     behind = bounds__rising_from_minimum(tables, work, scan, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), abscissa);
     if (behind < INT64_C(0))
     {
         behind = INT64_C(0);
     }
-    walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << (int64_t)(behind)), -INT64_C(1), INT64_C(1));
+    walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1), INT64_C(1));
     return INT64_C(0);
 }

@@ -5,8 +5,8 @@
 
 #include "strip_contact.h"
 
-/* Fill the solved patches by strips; penetration [m], number of regions, and 1 when the force is
- * satisfied, else 0.
+/* Fill the solved patches by strips if they are wanted; penetration [m], number of regions, and 1 when
+ * the force is satisfied, else 0.
  *
  * A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
  * have found there.
@@ -61,7 +61,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0, int64_t* co
     {
         strips__second_layout(&penetration, satisfied, work, tables, state, (*count), force, by_penetration);
     }
-    if ((*satisfied) == INT64_C(1))
+    if (((*satisfied) == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         planes__locate_along_track(work, tables, (*count));
         strip_patches__fill_from_strips(work, tables, (*count));

@@ -9,7 +9,7 @@
 static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
-    if ((*satisfied) == INT64_C(1))
+    if (((*satisfied) == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
         tangent_node_patches__fill_from_nodes_t(work, work_t, (*count));

@@ -11,13 +11,11 @@
 #include "curves.h"
 #include "layout.h"
 #include "profile_table.h"
+#include "tangent_cubic_table.h"
 #include "tangent_curves.h"
-#include "tangent_profile_table.h"
-#include "tangent_rates.h"
 
 static inline int64_t tangent_arc_length__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t);
 static inline int64_t tangent_arc_length__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t);
-static inline int64_t tangent_arc_length__rail_speed_t(double* v2, double* result_1, array_double_1d tables, double abscissa, double abscissa_t);
 static inline int64_t tangent_arc_length__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t);
 static inline int64_t tangent_arc_length__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t);
 

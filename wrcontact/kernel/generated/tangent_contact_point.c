@@ -70,7 +70,8 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
-    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+    tangent_regions__measure_contact_t(work, work_t, tables, state);
+    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));

@@ -10,10 +10,10 @@ static inline int64_t tangent_nodes__trace_tolerance_t(double* tolerance, double
 {
     (*tolerance_t) = nodes__TRACE_SHARE * spacing_t;
     (*tolerance) = nodes__TRACE_SHARE * spacing;
-    if ((*tolerance) > nodes__FINEST_TRACE)
+    if ((*tolerance) > nodes__COARSEST_TRACE)
     {
         (*tolerance_t) = 0.0;
-        (*tolerance) = nodes__FINEST_TRACE;
+        (*tolerance) = nodes__COARSEST_TRACE;
     }
     return 0;
 }

@@ -10,7 +10,7 @@ static inline int64_t tangent_planes__keep_frame_t(array_double_1d work, array_d
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(25) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work_t, kept + i)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
@@ -24,7 +24,7 @@ static inline int64_t tangent_planes__use_frame_t(array_double_1d work, array_do
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(25) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work_t, kept + i));

@@ -6,7 +6,7 @@
 #include "tangent_pressed.h"
 
 /* Tangent of ``normal_line``. */
-static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
+static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
     int64_t wheel;
     double z_rail;
@@ -54,6 +54,7 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double v8;
     double move_t;
     double move;
+    double sharp_t;
     double sharp;
     double v9;
     double overlap_t;
@@ -76,12 +77,21 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double steep_t;
     double steep;
     double v19;
+    double rest_t;
+    double rest;
+    double v20;
+    double v21;
+    double v22;
+    double turn_t;
+    double turn;
+    double v23;
+    double v24;
     double relative_kappa_t;
     double relative_kappa;
-    double v21;
-    double v21_t;
-    double v20;
-    double v20_t;
+    double v26;
+    double v26_t;
+    double v25;
+    double v25_t;
     double curvature_t;
     double curvature;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
@@ -127,9 +137,11 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
         v8 = v7 / along;
         move_t = ((-residual_t) - v8 * along_t) / along;
         move = v8;
-        sharp = pressed__LINE_SHARP;
-        if (i == pressed__LINE_ITERATIONS - INT64_C(1))
+        sharp_t = tolerance_t;
+        sharp = tolerance;
+        if ((i == pressed__LINE_ITERATIONS - INT64_C(1)) && (sharp < pressed__LINE_JOINT))
         {
+            sharp_t = 0.0;
             sharp = pressed__LINE_JOINT;
         }
         if (fabs(move) < sharp)
@@ -169,13 +181,32 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             wheel_kappa = v18 * wheel_cos;
             steep_t = rise_t * rise + rise * rise_t;
             steep = 1.0 + rise * rise;
-            v19 = sqrt(steep);
-            relative_kappa_t = wheel_kappa_t * v19 + wheel_kappa * tangent_rates__root_rate(v19, steep_t) - kappa_t;
-            relative_kappa = wheel_kappa * v19 - kappa;
-            tangent_pressed__mean_bend_t(&v21, &v21_t, work, work_t, tables, y, y_t, bend, bend_t);
-            tangent_longitudinal_curvature__longitudinal_curvature_t(&v20, &v20_t, work, work_t, tables, place, z, z_t, slope, slope_t, v21, v21_t);
-            curvature_t = v20_t;
-            curvature = v20;
+            v19 = -residual;
+            rest_t = (-residual_t) * cosine + v19 * cosine_t;
+            rest = v19 * cosine;
+            v20 = wheel_kappa * steep;
+            v21 = sqrt(steep);
+            v22 = v20 * v21;
+            turn_t = ((wheel_kappa_t * steep + wheel_kappa * steep_t) * v21 + v20 * tangent_rates__root_rate(v21, steep_t)) * rest + v22 * rest_t;
+            turn = v22 * rest;
+            v23 = rise + 0.5 * turn;
+            overlap_t = overlap_t + (rest_t * v23 + rest * (rise_t + 0.5 * turn_t));
+            overlap = overlap + rest * v23;
+            rise_t = rise_t + turn_t;
+            rise = rise + turn;
+            y_t = y_t + move_t;
+            y = y + move;
+            z_t = z_t + (slope_t * move + slope * move_t);
+            z = z + slope * move;
+            slope_t = slope_t + (bend_t * move + bend * move_t);
+            slope = slope + bend * move;
+            v24 = sqrt(steep);
+            relative_kappa_t = wheel_kappa_t * v24 + wheel_kappa * tangent_rates__root_rate(v24, steep_t) - kappa_t;
+            relative_kappa = wheel_kappa * v24 - kappa;
+            tangent_pressed__mean_bend_t(&v26, &v26_t, work, work_t, tables, y, y_t, bend, bend_t);
+            tangent_longitudinal_curvature__longitudinal_curvature_t(&v25, &v25_t, work, work_t, tables, place, z, z_t, slope, slope_t, v26, v26_t);
+            curvature_t = v25_t;
+            curvature = v25;
             (*result_0_0001) = y;
             (*result_1_0001) = y_t;
             (*result_2) = overlap;
@@ -328,7 +359,7 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
+        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
         if (found == INT64_C(1))
         {
             (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap_t;
@@ -358,7 +389,7 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
 }
 
 /* Tangent of ``line_rule``. */
-static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* bend, double* bend_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
+static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* bend, double* bend_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
     double z_rail;
     double z_rail_t;
@@ -385,7 +416,7 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     double residual;
     double v2;
     double v3;
-    pressed__normal_line(&y, overlap, rise, bend, curvature, found, work, tables, place, abscissa, y, height);
+    pressed__normal_line(&y, overlap, rise, bend, curvature, found, work, tables, place, abscissa, y, height, tolerance);
     y_t = 0.0;
     (*overlap_t) = 0.0;
     (*rise_t) = 0.0;
@@ -402,7 +433,7 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
         v2 = -residual;
         v3 = stretch * (1.0 + m * outline_slope);
         y_t = (-residual_t) / v3;
-        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, rise, rise_t, bend, bend_t, curvature, curvature_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t);
+        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, rise, rise_t, bend, bend_t, curvature, curvature_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     (*result_0) = y;
     (*result_1) = y_t;

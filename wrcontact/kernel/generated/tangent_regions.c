@@ -40,8 +40,8 @@ static inline int64_t tangent_regions__incline_region_t(array_double_1d work, ar
     return INT64_C(0);
 }
 
-/* Tangent of ``open_contact_region``. */
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state)
+/* Tangent of ``measure_contact``. */
+static inline int64_t tangent_regions__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
 {
     double gap;
     double gap_t;
@@ -51,8 +51,18 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     double bend_t;
     double curvature;
     double curvature_t;
-    double v1;
     tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__PLACE_TRACE, 0.0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
+    return INT64_C(0);
+}
+
+/* Tangent of ``open_contact_region``. */
+static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region)
+{
+    double v1;
     (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
@@ -61,10 +71,10 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
-    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work_t, region + layout__REGION_BEND)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
     (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;

@@ -13,6 +13,7 @@
 #include "tangent_rates.h"
 
 static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state);
+static inline int64_t tangent_regions__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
+static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region);
 
 #endif

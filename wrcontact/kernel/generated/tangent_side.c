@@ -37,12 +37,15 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
     }
-    tangent_resultant__add_patches_t(work, work_t, tables, penetration, penetration_t, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    tangent_totals__write_patches_t(work, work_t, out);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
-        outline = outlines__outline_place(tables, work, index);
-        tangent_outline__write_outline_t(work, work_t, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
+        tangent_resultant__add_patches_t(work, work_t, tables, penetration, penetration_t, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+        tangent_totals__write_patches_t(work, work_t, out);
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+        {
+            outline = outlines__outline_place(tables, work, index);
+            tangent_outline__write_outline_t(work, work_t, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
+        }
     }
     (*result_1) = layout__VALID;
     return 0;

@@ -74,7 +74,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, d
     {
         tangent_strips__second_layout_t(&penetration, &penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, by_penetration);
     }
-    if ((*satisfied) == INT64_C(1))
+    if (((*satisfied) == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
         tangent_strip_patches__fill_from_strips_t(work, work_t, tables, (*count));

@@ -43,7 +43,7 @@ static inline int64_t tangent_traces__first_abscissa_t(double* u, double* u_t, a
 }
 
 /* Tangent of ``trace_profile``. */
-static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* slope, double* slope_t, double* height, double* height_t, int64_t* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* result_6, double* result_7, double* result_8, double* result_9, int64_t* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double station_t, double tolerance, double tolerance_t)
 {
     double v1;
     double v1_t;
@@ -53,6 +53,10 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     double excess;
     double forward_t;
     double forward;
+    double height_t;
+    double height;
+    double slope_t;
+    double slope;
     double bend_t;
     double bend;
     int64_t i;
@@ -73,7 +77,10 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     double ordinate_t;
     double ordinate;
     double v12;
+    double move_t;
+    double move;
     double v13;
+    double v14;
     tangent_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     u_t = v1_t;
     u = v1;
@@ -82,10 +89,10 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     excess = 0.0;
     forward_t = 0.0;
     forward = 1.0;
-    (*height_t) = 0.0;
-    (*height) = 0.0;
-    (*slope_t) = 0.0;
-    (*slope) = 0.0;
+    height_t = 0.0;
+    height = 0.0;
+    slope_t = 0.0;
+    slope = 0.0;
     bend_t = 0.0;
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
@@ -100,12 +107,12 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
             u_t = 0.0;
             u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
         }
-        tangent_profile_table__height_slope_bend_t(height, height_t, slope, slope_t, &bend, &bend_t, tables, profile, u, u_t);
-        forward_t = (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + ((*slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*slope) * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)));
-        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (*slope) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
+        tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
+        forward_t = (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)));
+        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         v2 = u - (*cspan_at(&work, point + layout__POINT_Y));
-        v3 = (*height) - (*cspan_at(&work, point + layout__POINT_Z));
-        excess_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v2 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + (((*height_t) - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v3 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN))) - station_t;
+        v3 = height - (*cspan_at(&work, point + layout__POINT_Z));
+        excess_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v2 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v3 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN))) - station_t;
         excess = v2 * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v3 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
         if (fabs(excess) < tolerance)
         {
@@ -122,8 +129,8 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     v5 = 1.0 / forward;
     along_t = (-v5) * forward_t / forward;
     along = v5;
-    v6 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - (*slope) * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    rate_t = ((*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - ((*slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (*slope) * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)))) * along + v6 * along_t;
+    v6 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    rate_t = ((*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)))) * along + v6 * along_t;
     rate = v6 * along;
     v7 = -bend;
     v8 = v7 * along;
@@ -137,15 +144,22 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = (*ordinate_bend_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*ordinate_bend) * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN));
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
     v10 = u - (*cspan_at(&work, point + layout__POINT_Y));
-    v11 = (*height) - (*cspan_at(&work, point + layout__POINT_Z));
-    ordinate_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v10 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - (((*height_t) - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v11 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)));
+    v11 = height - (*cspan_at(&work, point + layout__POINT_Z));
+    ordinate_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v10 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v11 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)));
     ordinate = v10 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - v11 * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    v12 = 0.5 * excess;
-    v13 = rate - v12 * (*ordinate_bend);
-    (*result_0) = ordinate - excess * v13;
-    (*result_1) = ordinate_t - (excess_t * v13 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v12 * (*ordinate_bend_t))));
+    v12 = -excess;
+    move_t = (-excess_t) * along + v12 * along_t;
+    move = v12 * along;
+    v13 = 0.5 * excess;
+    v14 = rate - v13 * (*ordinate_bend);
+    (*result_0) = ordinate - excess * v14;
+    (*result_1) = ordinate_t - (excess_t * v14 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v13 * (*ordinate_bend_t))));
     (*result_2) = rate - excess * (*ordinate_bend);
     (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
+    (*result_6) = slope + move * bend;
+    (*result_7) = slope_t + (move_t * bend + move * bend_t);
+    (*result_8) = height + move * slope;
+    (*result_9) = height_t + (move_t * slope + move * slope_t);
     return 0;
 }
 
@@ -251,10 +265,13 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
     double v10;
     double v11;
     double v12;
+    double move_t;
+    double move;
     double v13;
-    double v13_t;
     double v14;
+    double v14_t;
     double v15;
+    double v16;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
@@ -340,21 +357,24 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
     v10 = v9 * per_along;
     (*ordinate_bend_t) = ((((-outline_rate_t) * per_stretch + v7 * per_stretch_t) * per_along + v8 * per_along_t) * per_along + v9 * per_along_t) * per_along + v10 * per_along_t;
     (*ordinate_bend) = v10 * per_along;
-    v11 = excess * per_along;
-    (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t - ((excess_t * per_along + excess * per_along_t) * per_stretch + v11 * per_stretch_t);
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y - v11 * per_stretch;
+    v11 = -excess;
+    v12 = v11 * per_along;
+    move_t = ((-excess_t) * per_along + v11 * per_along_t) * per_stretch + v12 * per_stretch_t;
+    move = v12 * per_stretch;
+    (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t + move_t;
+    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
     (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = per_along_t * per_stretch + per_along * per_stretch_t;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
-    v12 = (*ordinate_bend) * sine;
-    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v12 * per_stretch_t;
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = v12 * per_stretch;
-    tangent_longitudinal_curvature__longitudinal_curvature_t(&v13, &v13_t, work, work_t, tables, place, z, z_t, slope, slope_t, bend, bend_t);
-    (*curvature_t) = v13_t;
-    (*curvature) = v13;
-    v14 = 0.5 * excess;
-    v15 = rate - v14 * (*ordinate_bend);
-    (*ordinate_t) = across_t * sine + across * sine_t - (up_t * cosine + up * cosine_t) - (excess_t * v15 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v14 * (*ordinate_bend_t))));
-    (*ordinate) = across * sine - up * cosine - excess * v15;
+    v13 = (*ordinate_bend) * sine;
+    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v13 * per_stretch_t;
+    (*cspan_at(&work, trace + layout__TRACE_BEND)) = v13 * per_stretch;
+    tangent_longitudinal_curvature__longitudinal_curvature_t(&v14, &v14_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
+    (*curvature_t) = v14_t;
+    (*curvature) = v14;
+    v15 = 0.5 * excess;
+    v16 = rate - v15 * (*ordinate_bend);
+    (*ordinate_t) = across_t * sine + across * sine_t - (up_t * cosine + up * cosine_t) - (excess_t * v16 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v15 * (*ordinate_bend_t))));
+    (*ordinate) = across * sine - up * cosine - excess * v16;
     (*result_2) = rate - excess * (*ordinate_bend);
     (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
     return 0;

@@ -133,7 +133,7 @@ static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d t
     height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
     tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
-    if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
+    if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
     {
         return INT64_C(1);
     }

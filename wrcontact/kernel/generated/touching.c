@@ -47,6 +47,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     double curvature;
     int64_t found;
     double following;
+    double z_rail;
+    double slope;
     double newton;
     int64_t turned;
     x = 0.5 * (low + high);
@@ -55,7 +57,7 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     before = 0.0;
     for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height);
+        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
         if (found == INT64_C(0))
         {
             (*result_0) = x;
@@ -75,7 +77,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
         following = 0.5 * (low + high);
         if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
         {
-            newton = x - rise / (bend * arc_length__rail_speed(tables, x));
+            profile_table__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+            newton = x - rise / (bend * sqrt(1.0 + slope * slope));
             if ((newton > low) && (newton < high))
             {
                 following = newton;

@@ -16,8 +16,9 @@
 #define WRCONTACT_KERNEL_TOUCHING_H
 
 #include "../native/spans.h"
-#include "arc_length.h"
+#include "layout.h"
 #include "pressed.h"
+#include "profile_table.h"
 
 static const double touching__DEEP_SHARP = 1e-13;
 static const int64_t touching__DEEP_ITERATIONS = INT64_C(60);

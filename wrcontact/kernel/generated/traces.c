@@ -42,22 +42,25 @@ static inline double traces__first_abscissa(array_double_1d work, int64_t trace,
  * point : the profile's point at station zero.
  * plane : inclination of the contact plane in the profile's coordinates.
  */
-static inline int64_t traces__trace_profile(double* result_0, double* result_1, double* ordinate_bend, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
+static inline int64_t traces__trace_profile(double* result_0, double* result_1, double* ordinate_bend, double* result_3, double* result_4, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
 {
     double u;
     double excess;
     double forward;
+    double height;
+    double slope;
     double bend;
     int64_t i;
     double along;
     double rate;
     double ordinate;
+    double move;
     u = traces__first_abscissa(work, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     (*exists) = INT64_C(0);
     excess = 0.0;
     forward = 1.0;
-    (*height) = 0.0;
-    (*slope) = 0.0;
+    height = 0.0;
+    slope = 0.0;
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
@@ -69,9 +72,9 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
         {
             u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
         }
-        profile_table__height_slope_bend(height, slope, &bend, tables, profile, u);
-        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (*slope) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-        excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + ((*height) - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
+        profile_table__height_slope_bend(&height, &slope, &bend, tables, profile, u);
+        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
+        excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
         if (fabs(excess) < tolerance)
         {
             if (forward > 0.0)
@@ -83,14 +86,17 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
         u -= excess / forward;
     }
     along = 1.0 / forward;
-    rate = ((*cspan_at(&work, plane + layout__DIRECTION_SIN)) - (*slope) * (*cspan_at(&work, plane + layout__DIRECTION_COS))) * along;
+    rate = ((*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS))) * along;
     (*ordinate_bend) = (-bend) * along * along * along;
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = u - excess * along;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = along;
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-    ordinate = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - ((*height) - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    ordinate = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    move = (-excess) * along;
     (*result_0) = ordinate - excess * (rate - 0.5 * excess * (*ordinate_bend));
     (*result_1) = rate - excess * (*ordinate_bend);
+    (*result_3) = slope + move * bend;
+    (*result_4) = height + move * slope;
     return 0;
 }
 
@@ -158,6 +164,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     double per_along;
     double per_stretch;
     double rate;
+    double move;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
@@ -207,10 +214,11 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     per_stretch = 1.0 / stretch;
     rate = (sine - outline_slope * cosine) * per_along;
     (*ordinate_bend) = (-outline_rate) * per_stretch * per_along * per_along * per_along;
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y - excess * per_along * per_stretch;
+    move = (-excess) * per_along * per_stretch;
+    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * sine * per_stretch;
-    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, bend);
+    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
     (*ordinate) = across * sine - up * cosine - excess * (rate - 0.5 * excess * (*ordinate_bend));
     (*result_1) = rate - excess * (*ordinate_bend);
     return 0;

@@ -113,6 +113,26 @@ static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1
     return result;
 }
 
+/* Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
+ * be followed; 1 if both wheels are above their rails, else 0.  Whether there is a smaller gap is left
+ * open.
+ */
+static OUT_OF_LINE int64_t trial__turn_near(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+{
+    int64_t known;
+    roll__turn_both(work, roll);
+    known = roll__follow_side(work, tables, layout__WORK_SIDES, state);
+    if (known == INT64_C(1))
+    {
+        known = roll__follow_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+    }
+    if (known == INT64_C(0))
+    {
+        known = roll__search_both(work, tables, state, INT64_C(0));
+    }
+    return known;
+}
+
 /* ``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
  * compliant form refuses too.
  */

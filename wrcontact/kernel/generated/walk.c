@@ -100,7 +100,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
                 skipped = INT64_C(0);
             }
         }
-        node += direction * (INT64_C(1) << (int64_t)(exponent));
+        node += direction * (INT64_C(1) << exponent);
         if ((beside == INT64_C(0)) && (exponent < layout__EXPONENTS - INT64_C(1)))
         {
             exponent += INT64_C(1);

@@ -13,11 +13,11 @@
 #include "separation.h"
 #include "traces.h"
 
-static const double zone_width__TRACE_OF_WIDTH = 0.001;
-static const double zone_width__WIDTH_TRACE = 5e-08;
+static const double zone_width__TRACE_OF_WIDTH = 0.01;
+static const double zone_width__WIDTH_TRACE = 5e-06;
 static const int64_t zone_width__WIDTH_ITERATIONS = INT64_C(60);
 static const double zone_width__HALVED_SHARP = 1e-09;
-static const double zone_width__WIDTH_SHARP = 0.005;
+static const double zone_width__WIDTH_SHARP = 0.01;
 static const double zone_width__PRESSED_SHARP = 1e-05;
 
 static inline double zone_width__width_limit(array_double_1d work, int64_t region, double direction);

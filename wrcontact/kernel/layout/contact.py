@@ -52,6 +52,8 @@ class Frame:
     sunk: bool                      # whether it is pressed straight down from where it just touched
     height: float                   # vertical shift at which a pressed wheelset stands [m]
     depth: float                    # how deep a pressed wheel is, along the normal [m]
+    bend: float                     # second derivative of the gap at the contact point [1/m]
+    curvature: float                # and the wheel's 1/R_x there [1/m]
     blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
 
 

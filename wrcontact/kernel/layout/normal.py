@@ -4,6 +4,7 @@ from typing import Final
 
 from .contact import REGION_LIMIT
 from .record import OPEN, Float, centred, record, run
+from .surface import Cubic
 
 NODE_LIMIT: Final[int] = 256         # nodes of a region
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them

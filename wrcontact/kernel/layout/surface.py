@@ -50,6 +50,30 @@ class CurvatureTable:
 
 
 @record
+class Cubic:
+    """One cell of a table of cubics: value + u slope + u^2 bend + u^3 third at 0 <= u < 1 of the way through
+    the cell."""
+
+    value: float
+    slope: float
+    bend: float
+    third: float
+
+
+CUBIC_SIZE: Final[int] = size(Cubic)
+
+
+@record
+class CubicTable:
+    """A function as cubics over even cells, with the function's own slope at their ends."""
+
+    count: float                    # of cells
+    start: float                    # of the first cell
+    cells_per_unit: float
+    cells: Cubic * OPEN
+
+
+@record
 class Place:
     """Where a right wheel is placed on the track, as :mod:`locus` reads it."""
 

@@ -8,7 +8,7 @@ from .interface import Parameters, Resolution
 from .normal import HertzTable, InfluenceTable
 from .record import Float, To, record
 from .search import Scan, Starts
-from .surface import CurvatureTable, Profile
+from .surface import CubicTable, CurvatureTable, Profile
 
 
 @record
@@ -49,6 +49,8 @@ class Tables:
     lateral: int                    # one of LATERAL_...
     wheel_curvature: To(CurvatureTable)
     rail_curvature: To(CurvatureTable)
+    rail_arc: To(CubicTable)        # arc length of the rail from its start [m] over its abscissa
+    rail_at_arc: To(CubicTable)     # and the abscissa over the arc length
     mode: int                       # one of MODE_...
     load: int                       # one of LOAD_...
     parameters: Parameters          # all of the setup's

@@ -13,6 +13,7 @@ from .wheelset import Bracket, Broyden, Supports
 class Contact:
     """The contact of one wheel while it is solved, from its frame to its solved patches."""
 
+    filling: bool                   # whether patches are filled in, or only the penetration is wanted
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions

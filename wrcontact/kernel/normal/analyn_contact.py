@@ -30,10 +30,10 @@ ENLARGED: Final[float] = 1.4
 
 def analyn_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                    prescribed: float):
-    """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
-    satisfied, else 0."""
+    """Fill the solved patches by ANALYN if they are wanted; penetration [m], number of regions, and 1 when
+    the force is satisfied, else 0."""
     penetration, count, satisfied = solve_analyn(tables, contact, state, side, force, prescribed)
-    if satisfied == 1:
+    if satisfied == 1 and contact.filling:
         locate_along_track(tables, contact.frame, contact.regions, count)
         fill_from_nodes(contact.regions, contact.nodes, contact.solved, count)
     return penetration, count, satisfied

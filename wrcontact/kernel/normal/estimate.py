@@ -46,7 +46,7 @@ def estimate_penetration(tables: Tables, contact: Contact, state: State, force: 
 
 def first_penetration(tables: Tables, contact: Contact, state: State, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
-    open_contact_region(tables, contact.frame, contact.regions[0], state)
+    open_contact_region(tables, contact.frame, contact.regions[0])
     region = contact.regions[0]
     region.width_penetration = 0.0
     return estimate_penetration(tables, contact, state, force / region.share)

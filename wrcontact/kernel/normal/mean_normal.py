@@ -3,25 +3,17 @@
 from math import sqrt
 
 from ..layout import LOAD_VERTICAL, Frame, Nodes, Region, Tables
+from ..surface.cubic_table import read_cubic
 from ..surface.profile_table import height_slope
-
-
-def rail_per_station(tables: Tables, frame: Frame, abscissa: float):
-    """Change of the rail's abscissa per station of the open frame [-]."""
-    height, slope = height_slope(tables.rail, abscissa)
-    along = sqrt(1.0 + slope * slope)
-    if not frame.pressed:
-        along = frame.plane.cos + slope * frame.plane.sin
-    return 1.0 / along
 
 
 def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
     local penetration [m].
 
-    The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others
-    in the plane.
+    The nodes lie along the rail.
     """
+    arc = read_cubic(tables.rail_arc, region.rail)
     total = 0.0
     cosines = 0.0
     sines = 0.0
@@ -42,7 +34,7 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
             total += weight
             cosines += weight * cosine
             sines += weight * slope * cosine
-            x += step * rail_per_station(tables, frame, x + 0.5 * step * rail_per_station(tables, frame, x))
+            x = read_cubic(tables.rail_at_arc, arc + step * float(k + 1))
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total

@@ -32,8 +32,10 @@ from ..surface.profile_table import height_slope
 
 #: Window of the lateral curvature as a share of the half-width of the interpenetration (docs/method.md).
 WINDOW: Final[float] = 4.0 / 15.0
-TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
-FINEST_TRACE: Final[float] = 5e-8    # [m]; the residual is removed to second order
+#: Tolerance of the abscissae: this share of the spacing, or this [m]. The residual is removed to second
+#: order, which leaves 1e-9 m of the gap where the curvature jumps within it, and less elsewhere.
+TRACE_SHARE: Final[float] = 1e-2
+COARSEST_TRACE: Final[float] = 5e-6
 #: Where the rail has turned by more than this cosine says, nothing of that counts [-].
 LEAST_TURN: Final[float] = 0.2
 
@@ -62,8 +64,8 @@ def node_stride(tables: Tables):
 def trace_tolerance(spacing: float):
     """To what the abscissae of nodes with this ``spacing`` are traced [m]."""
     tolerance = TRACE_SHARE * spacing
-    if tolerance > FINEST_TRACE:
-        tolerance = FINEST_TRACE
+    if tolerance > COARSEST_TRACE:
+        tolerance = COARSEST_TRACE
     return tolerance
 
 

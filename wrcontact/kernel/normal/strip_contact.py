@@ -14,8 +14,8 @@ from .strips import first_layout, second_layout
 
 def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                   prescribed: float):
-    """Fill the solved patches by strips; penetration [m], number of regions, and 1 when the force is
-    satisfied, else 0.
+    """Fill the solved patches by strips if they are wanted; penetration [m], number of regions, and 1 when
+    the force is satisfied, else 0.
 
     A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
     have found there.
@@ -45,7 +45,7 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
             problem.penetration = penetration
     if satisfied == 1:
         penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)
-    if satisfied == 1:
+    if satisfied == 1 and contact.filling:
         locate_along_track(tables, contact.frame, contact.regions, count)
         fill_from_strips(tables, contact, count)
     return penetration, count, satisfied

@@ -24,8 +24,9 @@ SHORTEST_PIECE: Final[float] = 1e-3       # [mm]; measured profiles have knots t
 #: curvature by at most 2 %.
 REPAIR_WIDTH: Final[float] = 0.5
 REPAIRED_STEP: Final[float] = 1e-6        # [mm]; smaller height steps are not repaired
-BIN_WIDTH: Final[float] = 0.25            # [mm]
-BINS_EACH_METRE: Final[float] = 4000.0
+#: Width of the bins of pieces [mm], so fine that few hold two: mispredicted branches cost more than bins.
+BIN_WIDTH: Final[float] = 0.03125
+BINS_EACH_METRE: Final[float] = 32000.0
 MM: Final[float] = 1e-3
 #: mm ** (1 - k) for the coefficients k = 2 ... 5, as computed from 1e-3.
 SCALE_2: Final[float] = 1000.0

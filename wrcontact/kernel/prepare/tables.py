@@ -27,6 +27,7 @@ from ..layout import (
     Setup,
     Tables,
 )
+from .arcs import write_abscissae, write_arcs
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
 from .placement import highest_point, inner_face, keep_around_top, turn_zones
@@ -175,6 +176,12 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
     if at != FULL:
         tables.rail_curvature = at
         at = write_curvatures(tables, at, rail, 1.0, work, scratch)
+    if at != FULL:
+        tables.rail_arc = at
+        at = write_arcs(tables, at, rail, work, scratch)
+    if at != FULL:
+        tables.rail_at_arc = at
+        at = write_abscissae(tables, at, rail, work, scratch)
     if at == FULL:
         return TABLES_FULL
     report[REPORT_SIZE] = float(at)

@@ -8,7 +8,7 @@ from ..contact.arc_length import arc_length
 from ..contact.curves import curve_jet, curve_speed
 from ..contact.moves import move_across, move_arc, move_chord
 from ..contact.overlaps import find_overlaps
-from ..contact.pressed import normal_line
+from ..contact.pressed import LINE_SHARP, normal_line
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.zone_width import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
@@ -102,9 +102,11 @@ def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
     return exists
 
 
-def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):
+def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
+              tolerance: float):
     """``normal_line``: the wheel's point lies on the rail's normal."""
-    y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, abscissa, y, height)
+    y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, abscissa, y, height,
+                                                           tolerance)
     if found == 1:
         z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
         z, slope, bend = height_slope_bend(tables.wheel, y)
@@ -112,7 +114,7 @@ def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: fl
         residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
         y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa,
-                                                                              y, height))
+                                                                              y, height, tolerance))
     return y, overlap, rise, bend, curvature, found
 
 
@@ -121,14 +123,15 @@ def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float,
     overlap: its rate is zero there."""
     x = held(x)
     found_x = x
-    y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height)
+    y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height, LINE_SHARP)
     if found == 1:
         y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y),
-                                                             height)
+                                                             height, LINE_SHARP)
         change = rate_of(more) - rate_of(rise)
         if change != 0.0:
             found_x = moving(x, -rise / change)
-        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, found_x, held(y), height)
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, found_x, held(y), height,
+                                                             LINE_SHARP)
     return found_x, y, overlap, found
 
 

@@ -19,7 +19,7 @@ from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, turn_wheelset
 from ..wheelset.compliant import load_at_height
-from ..wheelset.elastic import ELASTIC_SHARP
+from ..wheelset.elastic import UNBALANCED
 from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
 from ..wheelset.rigid import solve_rigid
@@ -88,7 +88,7 @@ def follow_elastic(tables: Tables, work: Work, state: State):
     left = work.supports[0]
     right = work.supports[1]
     follow_position(tables, work, state, held(roll), held(height))
-    if fabs(left.height - height) + fabs(right.height - height) > 1e4 * ELASTIC_SHARP:
+    if fabs(left.height - height) + fabs(right.height - height) > UNBALANCED:
         return 1
     residual_left = rate_of(left.height)
     residual_right = rate_of(right.height)

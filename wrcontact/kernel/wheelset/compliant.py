@@ -4,7 +4,8 @@ how deep it is in its rail."""
 from typing import Final
 
 from ..layout import OFF_PROFILE, VALID, State, Tables, Work
-from ..search.roll import place_both, search_both
+from ..search.roll import follow_side, place_both, search_both
+from ..search.starts import nearest_start
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
 
@@ -21,13 +22,27 @@ def solve_compliant(tables: Tables, work: Work, state: State):
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
     status = VALID
-    if search_both(tables, work.sides, state, 0) == 0:
+    if search_both(tables, work.sides, state, follow_starts(tables, work, state)) == 0:
         return OFF_PROFILE
     for index in range(2):
         outcome = load_at_height(tables, work, state, index, height)
         if outcome > status:
             status = outcome
     return status
+
+
+def follow_starts(tables: Tables, work: Work, state: State):
+    """1 if both smallest gaps could be followed from where they are known near the lateral shift, else 0."""
+    row = nearest_start(tables.starts, work.inputs.lateral_shift)
+    known = 0
+    if row >= 0:
+        start = tables.starts.rows[row]
+        work.sides[0].best_y = start.left
+        work.sides[1].best_y = start.right
+        known = follow_side(tables, work.sides[0], state)
+        if known == 1:
+            known = follow_side(tables, work.sides[1], state)
+    return known
 
 
 def load_at_height(tables: Tables, work: Work, state: State, index: int, height: float):

@@ -5,7 +5,7 @@ from math import atan, fabs
 from typing import Final
 
 from ..contact.contact_plane import open_frame
-from ..contact.regions import open_contact_region
+from ..contact.regions import measure_contact, open_contact_region
 from ..layout import LATERAL_ADAPTIVE, Profile, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.locus import around_wheel
@@ -46,7 +46,8 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     out.z_track = frame.rail.z
     out.contact_angle = -atan(rail_slope)
     out.rolling_radius = r
-    open_contact_region(tables, frame, region, state)
+    measure_contact(tables, frame, state)
+    open_contact_region(tables, frame, region)
     out.curvature_x = region.curvature
     out.curvature_y = region.bend
     if tables.lateral != LATERAL_ADAPTIVE:

@@ -32,13 +32,17 @@ from ..layout import (
 )
 from .brackets import bracket_roll
 from .side import side_lever
-from .trial import balance_both, depth_outcome, estimate_approach, turn_to
+from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 25
-#: Height and roll are found when either wheel moves by less [m]. At 1e-11 they were exact enough, but how
-#: they change from pose to pose was off by up to 5e-5 of their derivatives; that costs 0.8 trials of 8.6.
-ELASTIC_SHARP: Final[float] = 1e-13
+#: Height and roll are found when either wheel moves by less [m], and this move is still made: with Broyden's
+#: derivatives it leaves less than 1e-13 m, so that differences between poses follow their derivatives.
+ELASTIC_SHARP: Final[float] = 1e-11
+#: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
+UNBALANCED: Final[float] = 1e-9
+#: After a longer move a trial is not the last one, and leaves out the patches [m].
+NOT_LAST: Final[float] = 1e-6
 #: Longest move of a wheel in one trial [m].
 LONGEST: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
@@ -59,9 +63,10 @@ def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: f
     height, move = first_estimate(tables, work)
     rigid_roll = roll
     roll += move
-    if turn_to(tables, work, state, roll) == 0:
+    if turn_near(tables, work, state, roll) == 0:
         return roll, OFF_PROFILE
     roll, status = iterate(tables, work, state, roll, height, left, right)
+    work.contact.filling = True
     if status == NOT_CONVERGED:
         roll, status = bracket_roll(tables, work, state, rigid_roll, left, right)
     return roll, status
@@ -94,6 +99,10 @@ def iterate(tables: Tables, work: Work, state: State, roll: float, height: float
     method.move_height = 0.0
     method.move_roll = 0.0
     for trial in range(TRIALS):
+        moved = fabs(method.move_height) + fabs(method.move_roll)
+        work.contact.filling = False
+        if trial > 0 and moved < NOT_LAST:
+            work.contact.filling = True
         status = balance_both(tables, work, state, left, right, height)
         if status > UNLOADED:
             return roll, NOT_CONVERGED
@@ -103,16 +112,35 @@ def iterate(tables: Tables, work: Work, state: State, roll: float, height: float
         if find_move(method, work.supports, arm) == 0:
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
-            return roll, depth_outcome(work, status)
+            if work.contact.filling and gaps_hold(tables, work, state, roll) == 1:
+                for index in range(2):
+                    work.supports[index].height = height + method.move_height
+                return roll + method.move_roll / arm, depth_outcome(work, status)
+            # the same place again, with patches, or with the smaller gap that was found
+            method.move_height = 0.0
+            method.move_roll = 0.0
         method.move_height = limited(method.move_height, LONGEST)
         method.move_roll = limited(method.move_roll, LONGEST)
         height += method.move_height
         roll += method.move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
             return roll, NOT_CONVERGED
-        if turn_to(tables, work, state, roll) == 0:
+        if turn_near(tables, work, state, roll) == 0:
             return roll, NOT_CONVERGED
     return roll, NOT_CONVERGED
+
+
+def gaps_hold(tables: Tables, work: Work, state: State, roll: float):
+    """1 if both sides' known gaps are the smallest at ``roll`` [rad], else 0; then smaller ones are known.
+
+    Between trials they are only followed: an answer is certified once.
+    """
+    left = work.sides[0].best_y
+    right = work.sides[1].best_y
+    hold = turn_to(tables, work, state, roll)
+    if work.sides[0].best_y != left or work.sides[1].best_y != right:
+        hold = 0
+    return hold
 
 
 def begin_derivatives(method: Broyden, supports: Supports, arm: float):

@@ -38,19 +38,20 @@ def clear_side(tables: Tables, work: Work, index: int):
 
 
 def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
-    """Normal contact of the side whose frame is open, and its part of the resultant; number
-    of its regions and outcome."""
+    """Normal contact of the side whose frame is open, and its part of the resultant if patches are filled in;
+    number of its regions and outcome."""
     out = work.outputs.left[index]
     penetration, count, satisfied = solve_normal(tables, work.contact, state, work.sides[index], out, force,
                                                  prescribed)
     out.penetration = penetration
     if satisfied == 0:
         return count, NOT_CONVERGED
-    add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
-    write_patches(work.contact.solved, out)
-    if tables.depth == DEPTH_ALL:
-        outline = Outline.at(work, outline_place(tables, work, index))
-        write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)
+    if work.contact.filling:
+        add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
+        write_patches(work.contact.solved, out)
+        if tables.depth == DEPTH_ALL:
+            outline = Outline.at(work, outline_place(tables, work, index))
+            write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)
     return count, VALID
 
 

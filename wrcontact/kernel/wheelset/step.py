@@ -31,6 +31,7 @@ def evaluate(tables: Tables, work: Work, state: State):
     status = check_inputs(tables, work.inputs)
     if status != VALID:
         return status
+    work.contact.filling = True
     if tables.mode == MODE_COMPLIANT:
         status = solve_compliant(tables, work, state)
     else:

@@ -83,6 +83,19 @@ def turn_to(tables: Tables, work: Work, state: State, roll: float):
     return search_both(tables, work.sides, state, known)
 
 
+def turn_near(tables: Tables, work: Work, state: State, roll: float):
+    """Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
+    be followed; 1 if both wheels are above their rails, else 0.  Whether there is a smaller gap is left
+    open."""
+    turn_both(work.sides, roll)
+    known = follow_side(tables, work.sides[0], state)
+    if known == 1:
+        known = follow_side(tables, work.sides[1], state)
+    if known == 0:
+        known = search_both(tables, work.sides, state, 0)
+    return known
+
+
 def depth_outcome(work: Work, status: int):
     """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
     compliant form refuses too."""

@@ -1,0 +1,85 @@
+"""Cost and work of a step on the trajectory that the speed is judged by: a wheelset that hunts from flange to
+flange, with a faster motion on top and a load that changes.
+
+    python -m benchmarks.trajectory
+
+One step of 1 ms after another by a single call of the stepper; a step has both wheels and all outputs.
+"""
+
+import numpy as np
+
+import wrcontact
+from wrcontact.kernel import layout
+
+from .counts import COUNTS
+from .machine import cost, description
+from .table import figure, markdown
+
+STEP = 1e-3                 # [s]
+STEPS, ROUNDS = 20_000, 3
+#: Name of the row, parameters, and the units of ``np.sqrt`` of 2000 doubles that a step is to cost at most;
+#: None where none is asked for.
+ROWS = {
+    "Hertz, rigid": (dict(normal_model="hertz"), 1.6),
+    "ANALYN, rigid": (dict(), 6.0),
+    "strips, rigid": (dict(normal_model="analyn_strip"), 17.0),
+    "ANALYN, compliant": (dict(contact_mode="compliant"), 8.5),
+    "ANALYN, elastic": (dict(contact_mode="elastic"), 31.0),
+    "strips, compliant": (dict(contact_mode="compliant", normal_model="analyn_strip"), 20.0),
+    "strips, elastic": (dict(contact_mode="elastic", normal_model="analyn_strip"), 62.0),
+}
+HEADER = ["trajectory of 1 ms steps", "units", "asked", "µs", *COUNTS]
+
+
+def motion(count, every=1):
+    """Lateral shift [m], yaw [rad] and force [N] (count,) of each ``every``-th step."""
+    turn = 2 * np.pi * STEP * every * np.arange(count)
+    return (6e-3 * np.sin(1.1 * turn) + 0.4e-3 * np.sin(7 * turn), 4e-3 * np.cos(1.1 * turn),
+            78.5e3 * (1 + 0.2 * np.sin(3 * turn)))
+
+
+def inputs(count, every=1, stand=False):
+    """Inputs (count, INPUT_COUNT) of the trajectory; with ``stand`` also height and roll where the wheelset
+    stands in elastic contact, for the compliant form."""
+    found = np.zeros((count, layout.INPUT_COUNT))
+    shift, yaw, force = motion(count, every)
+    found[:, layout.IN_LATERAL_SHIFT], found[:, layout.IN_YAW] = shift, yaw
+    found[:, layout.IN_NORMAL_FORCE] = force
+    if stand:
+        table = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, force)
+        found[:, layout.IN_VERTICAL_SHIFT], found[:, layout.IN_ROLL] = table.vertical_shift, table.roll
+    return found
+
+
+def steps_of(parameters, rows):
+    """A call that makes a step of every row of inputs, and the stepper that it uses."""
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    outputs, status = np.empty((len(rows), layout.OUTPUT_COUNT)), np.empty(len(rows))
+    return lambda: stepper.step_many(rows, outputs, status), stepper
+
+
+def work(parameters, count, every=1):
+    """Mean counts (6,) of :data:`~benchmarks.counts.COUNTS` a step, from a stepper that begins there."""
+    stand = parameters.get("contact_mode") == "compliant"
+    call, stepper = steps_of(parameters, inputs(count, every, stand))
+    call()
+    return stepper.state[list(COUNTS.values())] / count
+
+
+def measured(count=STEPS, rounds=ROUNDS):
+    """Rows of the table."""
+    for name, (parameters, asked) in ROWS.items():
+        stand = parameters.get("contact_mode") == "compliant"
+        call, stepper = steps_of(parameters, inputs(count, stand=stand))
+        took = cost(call, count, rounds)
+        yield [name, figure(took.units), figure(asked), figure(took.microseconds),
+               *(f"{value:.1f}" for value in work(parameters, min(count, 2000), max(1, count // 2000)))]
+
+
+def table(count=STEPS, rounds=ROUNDS):
+    return markdown("Trajectory", HEADER, list(measured(count, rounds)))
+
+
+if __name__ == "__main__":
+    print(table())
+    print(description())
