@@ -4,9 +4,9 @@ from typing import Final
 
 from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
 
-#: Two deepest points are one region while the overlap between them has fallen by less than this share of the
-#: largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure +14 %), 0.45
-#: joins what is separate.
+#: Two deepest points are one region while the overlap between them has fallen by less than this share of
+#: the largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure
+#: +14 %), 0.45 joins what is separate.
 MERGE: Final[float] = 0.3
 #: Deepest points closer than this on the rail are one [m].
 SAME_POINT: Final[float] = 1e-6

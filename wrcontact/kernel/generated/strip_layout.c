@@ -9,13 +9,22 @@
 
 #include "strip_layout.h"
 
-/* The zones of ``count`` regions as cells. */
+/* The zones of ``count`` regions as cells, weighted by how wide and how deep they are. */
 static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count)
 {
-    int64_t cells;
+    double width;
+    double depth;
     int64_t index;
+    int64_t cells;
     int64_t zone;
     int64_t cell;
+    width = 0.0;
+    depth = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        width += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START));
+        depth += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
+    }
     cells = INT64_C(0);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
@@ -25,7 +34,7 @@ static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t cou
             cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * cells;
             (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
             (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = (1.0 - strip_layout__DEEP) * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / width + strip_layout__DEEP * (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) / depth;
             cells += INT64_C(1);
         }
     }

@@ -14,6 +14,7 @@
 #include "layout.h"
 
 static const double strip_layout__FIRST_SHARE = 0.6666666666666666;
+static const double strip_layout__DEEP = 0.5;
 static const double strip_layout__EVEN = 0.5;
 static const double strip_layout__LOADED = 0.1;
 static const double strip_layout__TOUCHING = 1e-09;

@@ -31,8 +31,10 @@ static inline int64_t strip_zones__measure_zone(array_double_1d work, array_doub
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     level = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
         bend = (*cspan_at(&work, region + layout__REGION_BEND));
         if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
         {

@@ -8,10 +8,31 @@
 /* Tangent of ``zone_cells``. */
 static inline int64_t tangent_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count)
 {
-    int64_t cells;
+    double width_t;
+    double width;
+    double depth_t;
+    double depth;
     int64_t index;
+    int64_t cells;
     int64_t zone;
     int64_t cell;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    width_t = 0.0;
+    width = 0.0;
+    depth_t = 0.0;
+    depth = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        width_t = width_t + ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
+        width = width + ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
+        depth_t = depth_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
+        depth = depth + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
+    }
     cells = INT64_C(0);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
@@ -23,8 +44,14 @@ static inline int64_t tangent_strip_layout__zone_cells_t(array_double_1d work, a
             (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
             (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP));
             (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP));
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+            v1 = 1.0 - strip_layout__DEEP;
+            v2 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+            v3 = v1 * v2;
+            v4 = v3 / width;
+            v5 = strip_layout__DEEP * (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL));
+            v6 = v5 / depth;
+            (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = (v1 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) - v4 * width_t) / width + (strip_layout__DEEP * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) - v6 * depth_t) / depth;
+            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = v4 + v6;
             cells = cells + INT64_C(1);
         }
     }

@@ -46,8 +46,12 @@ static inline int64_t tangent_strip_zones__measure_zone_t(array_double_1d work, 
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     level_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest_t;
     level = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
         bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
         bend = (*cspan_at(&work, region + layout__REGION_BEND));
         if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))

@@ -34,6 +34,7 @@ class StripZone:
 
     start: float                    # stations of its ends [m]
     stop: float
+    level: float                    # how deep it is, over the overlap at its ends [m]
 
 
 @record
@@ -108,7 +109,7 @@ INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 1)
 
 @record
 class InfluenceTable:
-    numbers: Float * OPEN           # map of Phi, eq. (S2), then that of its means (binding/influence_table.py)
+    numbers: Float * OPEN           # map of Phi, eq. (S2), then of its means (binding/influence_table.py)
 
 
 HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table

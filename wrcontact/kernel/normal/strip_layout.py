@@ -12,6 +12,8 @@ from ..layout import Regions, StripCell, StripProblem, Strips
 
 #: Of the strips of the second layout, the first ones are this share.
 FIRST_SHARE: Final[float] = 2.0 / 3.0
+#: Share of the first layout that the zones get by their depths, the rest by their widths.
+DEEP: Final[float] = 0.5
 #: Share of the second layout that is spread evenly over what is loaded; the rest follows the change of the
 #: pressure.
 EVEN: Final[float] = 0.5
@@ -22,7 +24,12 @@ TOUCHING: Final[float] = 1e-9
 
 
 def zone_cells(problem: StripProblem, count: int):
-    """The zones of ``count`` regions as cells."""
+    """The zones of ``count`` regions as cells, weighted by how wide and how deep they are."""
+    width = 0.0
+    depth = 0.0
+    for index in range(count):
+        width += problem.zones[index].stop - problem.zones[index].start
+        depth += problem.zones[index].level
     cells = 0
     for index in range(count):
         zone = problem.zones[index]
@@ -30,7 +37,7 @@ def zone_cells(problem: StripProblem, count: int):
             cell = problem.cells[cells]
             cell.start = zone.start
             cell.stop = zone.stop
-            cell.weight = zone.stop - zone.start
+            cell.weight = (1.0 - DEEP) * (zone.stop - zone.start) / width + DEEP * zone.level / depth
             cells += 1
     problem.cell_count = cells
     return 0

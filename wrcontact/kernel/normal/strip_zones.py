@@ -27,7 +27,9 @@ def measure_zone(tables: Tables, contact: Contact, state: State, region: Region,
     zone.start = region.offset + region.station
     zone.stop = zone.start
     level = contact.frame.depth - SHALLOW * deepest
+    zone.level = 0.0
     if level > 0.0:
+        zone.level = level
         bend = region.bend
         if bend < region.curvature:
             bend = region.curvature
