@@ -7,7 +7,7 @@ from .numbers import frozen, whole
 STRIP_LADDER = {
     0.025: Resolution(8, 2, 16, 2),
     0.015: Resolution(8, 2, 20, 2),
-    0.01: Resolution(8, 2, 24, 3),
+    0.01: Resolution(8, 2, 24, 2),
     0.007: Resolution(8, 2, 32, 3),
     0.004: Resolution(8, 2, 48, 4),
 }

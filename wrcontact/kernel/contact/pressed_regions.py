@@ -54,6 +54,22 @@ def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch,
     return count
 
 
+def sink_deeper(frame: Frame, frames: KeptFrames, count: int, penetration: float):
+    """Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
+
+    The regions stay: their deepest points move by less than what counts.
+    """
+    height = frame.shift + penetration / frame.plane.cos
+    press_frame(frame, height, penetration, 0.0)
+    keep_frame(frame, frames, REGION_LIMIT)
+    for index in range(count):
+        use_frame(frame, frames, index)
+        frame.height = height
+        keep_frame(frame, frames, index)
+    use_frame(frame, frames, REGION_LIMIT)
+    return 0
+
+
 def open_pressed_region(tables: Tables, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0

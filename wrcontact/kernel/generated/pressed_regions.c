@@ -49,6 +49,27 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, arr
     return count;
 }
 
+/* Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
+ *
+ * The regions stay: their deepest points move by less than what counts.
+ */
+static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
+{
+    double height;
+    int64_t index;
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    pressed_regions__press_frame(work, height, penetration, 0.0);
+    planes__keep_frame(work, layout__REGION_LIMIT);
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        planes__use_frame(work, index);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+        planes__keep_frame(work, index);
+    }
+    planes__use_frame(work, layout__REGION_LIMIT);
+    return INT64_C(0);
+}
+
 /* Start a region at a deepest point, inclined as the rail there. */
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point)
 {

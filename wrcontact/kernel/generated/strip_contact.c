@@ -46,14 +46,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0, int64_t* co
         strips__first_layout(&penetration, satisfied, work, tables, state, (*count), force, by_penetration);
         if (((*satisfied) == INT64_C(1)) && (by_penetration == INT64_C(0)))
         {
-            if (pressed_regions__sink_wheel(work, tables, side, state, penetration) == INT64_C(0))
-            {
-                (*result_0) = penetration;
-                (*count) = INT64_C(0);
-                (*satisfied) = INT64_C(0);
-                return 0;
-            }
-            (*count) = pressed_regions__gather_overlaps(work, tables, state);
+            pressed_regions__sink_deeper(work, (*count), penetration);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
         }
     }

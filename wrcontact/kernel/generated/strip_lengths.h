@@ -11,8 +11,8 @@
 #include "strip_influence.h"
 
 static const double strip_lengths__TESTED = 0.9;
-static const double strip_lengths__FIRST_POWER = 0.65;
-static const double strip_lengths__POWER = 0.57;
+static const double strip_lengths__FIRST_POWER = 0.6;
+static const double strip_lengths__POWER = 0.53;
 static const double strip_lengths__MOVED = 0.6;
 static const double strip_lengths__FARTHEST_MOVE = 0.3;
 static const double strip_lengths__FLATTEST = 0.1;

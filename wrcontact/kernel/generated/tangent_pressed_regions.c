@@ -65,6 +65,29 @@ static inline int64_t tangent_pressed_regions__sink_wheel_t(array_double_1d work
     return count;
 }
 
+/* Tangent of ``sink_deeper``. */
+static inline int64_t tangent_pressed_regions__sink_deeper_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t)
+{
+    double v1;
+    double height_t;
+    double height;
+    int64_t index;
+    v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
+    tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
+    tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        tangent_planes__use_frame_t(work, work_t, index);
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+        tangent_planes__keep_frame_t(work, work_t, index);
+    }
+    tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
+    return INT64_C(0);
+}
+
 /* Tangent of ``open_pressed_region``. */
 static inline int64_t tangent_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point)
 {

@@ -18,8 +18,6 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, d
     double v2_t;
     int64_t n3;
     int64_t n4;
-    int64_t n5;
-    int64_t n6;
     by_penetration = INT64_C(0);
     if (isfinite(prescribed))
     {
@@ -55,17 +53,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, d
         tangent_strips__first_layout_t(&penetration, &penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, by_penetration);
         if (((*satisfied) == INT64_C(1)) && (by_penetration == INT64_C(0)))
         {
-            n5 = tangent_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, penetration, penetration_t);
-            if (n5 == INT64_C(0))
-            {
-                (*result_0) = penetration;
-                (*result_1) = penetration_t;
-                (*count) = INT64_C(0);
-                (*satisfied) = INT64_C(0);
-                return 0;
-            }
-            n6 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
-            (*count) = n6;
+            tangent_pressed_regions__sink_deeper_t(work, work_t, (*count), penetration, penetration_t);
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration_t;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
         }

@@ -4,7 +4,7 @@ from math import isfinite
 
 from ..contact.deep_points import deepest_entry
 from ..contact.planes import locate_along_track
-from ..contact.pressed_regions import gather_overlaps, sink_wheel
+from ..contact.pressed_regions import gather_overlaps, sink_deeper, sink_wheel
 from ..layout import Contact, SideSearch, State, Tables
 from .estimate import first_penetration
 from .strip_patches import fill_from_strips
@@ -38,10 +38,7 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
         count = open_zones(tables, contact, state)
         penetration, satisfied = first_layout(tables, contact, state, count, force, by_penetration)
         if satisfied == 1 and by_penetration == 0:
-            if sink_wheel(tables, contact.frame, contact.overlap, side, state, penetration) == 0:
-                return penetration, 0, 0
-            count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap,
-                                    state)
+            sink_deeper(contact.frame, contact.frames, count, penetration)
             problem.penetration = penetration
     if satisfied == 1:
         penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)

@@ -9,8 +9,8 @@ from .strip_influence import end_displacement
 #: Displacement and gap are compared in the middle of a strip and at this share of its half-length.
 TESTED: Final[float] = 0.9
 #: Power of their ratio by which a half-length is corrected: first, and then.
-FIRST_POWER: Final[float] = 0.65
-POWER: Final[float] = 0.57
+FIRST_POWER: Final[float] = 0.6
+POWER: Final[float] = 0.53
 #: Share of the move of the middle that is taken, and the longest one, as a share of the half-length.
 MOVED: Final[float] = 0.6
 FARTHEST_MOVE: Final[float] = 0.3
