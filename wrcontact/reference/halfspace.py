@@ -23,9 +23,10 @@ Lengths in m, pressures in Pa, forces in N; x along the first axis of every arra
 from .blocks import refine_blocks
 from .boxes import loaded_boxes, merged
 from .checks import check_load, check_number, checked_domain
-from .missed import missed, ridge
+from .flat_gap import FlatGap
+from .missed import missed
+from .problem import Problem
 from .refinement import refine, solve_window
-from .window import find_window
 
 #: Error in penetration (or force), area and peak pressure at which a grid is fine enough.
 TOLERANCE = 5e-3
@@ -71,24 +72,27 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     if not TOLERANCE_RANGE[0] <= tolerance <= TOLERANCE_RANGE[1]:
         raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... "
                          f"{TOLERANCE_RANGE[1]:g}")
-    load = {"contact_modulus": contact_modulus, "force": force, "penetration": penetration,
-            "precision": RESIDUAL_SHARE * tolerance}
-    window = find_window(gap_function, domain, contact_modulus=contact_modulus, force=force,
-                         penetration=penetration)
-    coarse = solve_window(gap_function, domain, window, load)
+    return solve_problem(Problem(FlatGap(gap_function), domain, contact_modulus, force, penetration,
+                                 RESIDUAL_SHARE * tolerance), tolerance)
+
+
+def solve_problem(problem, tolerance=TOLERANCE):
+    """The contact of a :class:`~wrcontact.reference.problem.Problem`, over a plane or where the patches turn;
+    as :func:`solve_contact`."""
+    coarse = solve_window(problem, problem.surfaces.window(problem))
     if not coarse.pressure.any():
         return coarse
-    look = ridge(gap_function, domain)
-    boxes = missed(gap_function, domain, look, coarse, contact_modulus)
+    ridge = problem.surfaces.ridge(problem.domain)
+    boxes = missed(problem, ridge, coarse)
     if not boxes:
-        found = refine(gap_function, domain, coarse, load, tolerance)
-        boxes = missed(gap_function, domain, look, found, contact_modulus)
+        found = refine(problem, coarse, tolerance)
+        boxes = missed(problem, ridge, found)
         if not boxes:
             return found
         coarse = found
     for _ in range(LOOK_REPEATS):
-        found = refine_blocks(gap_function, domain, merged(loaded_boxes(coarse) + boxes), load, tolerance)
-        boxes = missed(gap_function, domain, look, found, contact_modulus)
+        found = refine_blocks(problem, merged(loaded_boxes(coarse) + boxes), tolerance)
+        boxes = missed(problem, ridge, found)
         if not boxes:
             return found
         coarse = found
