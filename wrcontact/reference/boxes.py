@@ -3,6 +3,9 @@
 import numpy as np
 from scipy import ndimage
 
+#: Share of the area of one grid below which several grids for the patches are solved faster.
+APART = 0.4
+
 
 def centres(box, counts):
     """Centres (n,), (m,) of n x m cells that fill a box."""
@@ -58,6 +61,13 @@ def merged(boxes):
         if pair is None:
             return groups
         groups[pair[1]] += groups.pop(pair[0])
+
+
+def are_apart(groups):
+    """Whether grids for each of the ``groups`` of boxes have much less cells than one for all."""
+    areas = [(box[1] - box[0]) * (box[3] - box[2])
+             for box in (*map(hull, groups), hull([box for group in groups for box in group]))]
+    return len(groups) > 1 and sum(areas[:-1]) < APART * areas[-1]
 
 
 def hull(boxes):

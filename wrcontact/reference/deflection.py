@@ -80,6 +80,10 @@ class Deflection:
         turns = angle is not None and bool(np.ptp(angle) > 0.0)
         self.turn = np.exp(1j * np.asarray(angle))[..., None, :] if turns else None
         self._along, self._back = (fft.fft, fft.ifft) if turns else (fft.rfft, fft.irfft)
+        waves = np.hypot(*np.meshgrid(*(2.0 * math.pi * fft.fftfreq(count, step)
+                                        for count, step in zip(self.shape, (dx, ds))), indexing="ij"))
+        longest = math.pi / max(count * step for count, step in zip(self.shape, (dx, ds)))
+        self._stiffness = 0.5 * contact_modulus * np.maximum(waves, longest)[:, :self.shape[1] // 2 + 1]
         material = {"contact_modulus": contact_modulus, "coupling": coupling if turns else 0.0}
         self.transfer = np.stack([np.stack([self._transfer(one - other, dx, ds, material)
                                             for other in corners]) for one in corners])
@@ -108,3 +112,10 @@ class Deflection:
         if self.turn is not None:
             bent = (bent * self.turn.conj()).real
         return bent.reshape(pressure.shape)
+
+    def stiff(self, bent):
+        """Pressures (n, m) [Pa] that cause a deflection (n, m) [m], roughly: each wave of the grid by itself,
+        |k| E* / 2, with parallel normals, grids for themselves and repeated without end.  Symmetric and
+        positive. (H11)"""
+        spectrum = fft.rfft2(bent.reshape(-1, *self.shape)) * self._stiffness
+        return fft.irfft2(spectrum, self.shape).reshape(bent.shape)

@@ -17,14 +17,16 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
     """Pressure, clearance, penetration, iterations: Polonsky and Keer (1999), section 3.
 
     Their steps: residual on the loaded cells, conjugate direction, exact line search, tension cut off,
-    overlapping cells let in, load restored.  A penetration takes ``share`` of itself from the gap of a cell,
-    and a pressure counts with ``weight`` in the force; both are 1 over a plane. (C6)
+    overlapping cells let in, load restored.  The residual is first turned into pressures by the half-space's
+    stiffness (Vollebergt 2014, H11), which takes a third of the iterations.  A penetration takes ``share`` of
+    itself from the gap of a cell, and a pressure counts with ``weight`` in the force; both are 1 over a
+    plane. (C6)
 
     Parameters
     ----------
     pressure : to start from, any shape [Pa].
     gap : at no penetration [m]; infinite where there is no surface.
-    deflect : called with pressures [Pa]; the deflection [m].
+    deflect : a :class:`~wrcontact.reference.deflection.Deflection`.
     problem : with force or penetration, and the precision.
     cell : area of a cell [m^2].
     share, weight : arrays that broadcast against the gap.
@@ -38,41 +40,62 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
     total = None if problem.force is None else problem.force / cell
     pressure = _scaled(pressure, gap, deflect, total, problem.penetration, share, weight)
     bent = deflect(pressure)
-    direction, last, scale = np.zeros(gap.shape), math.inf, 1.0
+    before, scale = None, 1.0
     for iteration in range(ITERATION_LIMIT + 1):
         loaded = pressure > 0.0
         clearance = bent + gap
-        part = share[loaded]
-        delta = problem.penetration if total is None else float(part @ clearance[loaded] / (part @ part))
+        part = np.where(loaded, share, 0.0)
+        delta = problem.penetration if total is None else (_inner(part[loaded], clearance[loaded])
+                                                           / _inner(part, part))
         clearance -= delta * share
-        residual = clearance[loaded]
-        square = float(residual @ residual)
+        residual = np.where(loaded, clearance, 0.0)
         allowed = problem.precision * float(bent.max())
         outside = ~loaded & (clearance < 0.0)
-        if (square <= allowed**2 * residual.size and not np.any(clearance[outside] < -allowed)
-                and abs(scale - 1.0) <= problem.precision):
+        if (_inner(residual, residual) <= allowed**2 * np.count_nonzero(loaded)
+                and not np.any(clearance[outside] < -allowed) and abs(scale - 1.0) <= problem.precision):
             return pressure, clearance, delta, iteration
-        direction = np.where(loaded, clearance + (square / last) * direction, 0.0)
+        direction, before = _direction(residual, part if total is not None else None, loaded, deflect, before)
         change = deflect(direction)
-        along, answer = direction[loaded], change[loaded]
-        if total is not None:
-            answer = answer - part * float(part @ answer / (part @ part))
-        step = float(residual @ along) / float(answer @ along)
+        step = _inner(residual, direction) / _inner(change, direction)
         if not step > 0.0:      # the direction has lost its meaning: restart
-            direction, last = np.zeros(gap.shape), math.inf
+            before = None
             continue
         pressure = pressure - step * direction
         cut = pressure < 0.0
         pressure[cut] = 0.0
-        pressure[outside] = -step * clearance[outside]
-        last = math.inf if outside.any() else square
-        scale = 1.0 if total is None else total / float((weight * pressure).sum())
+        if outside.any():
+            pressure[outside] = np.maximum(deflect.stiff(np.where(outside, -clearance, 0.0))[outside], 0.0)
+            before = None
+        scale = 1.0 if total is None else total / _inner(weight, pressure)
         pressure *= scale
         bent = deflect(pressure) if cut.any() or outside.any() else scale * (bent - step * change)
         if not math.isfinite(scale):
             break
-    raise ArithmeticError(f"the contact condition is met to {math.sqrt(square / max(residual.size, 1)):.3g} "
-                          f"m after {ITERATION_LIMIT} iterations; permitted is {allowed:.3g} m")
+    met = math.sqrt(_inner(residual, residual) / max(np.count_nonzero(loaded), 1))
+    raise ArithmeticError(f"the contact condition is met to {met:.3g} m after {ITERATION_LIMIT} iterations; "
+                          f"permitted is {allowed:.3g} m")
+
+
+def _direction(residual, part, loaded, deflect, before):
+    """The next direction of pressures, and what the one after it needs: (residual, its product with the stiff
+    one, direction).  ``part`` are the shares of the loaded cells, on which a direction adds up to nothing;
+    None where the penetration is prescribed."""
+    stiff = np.where(loaded, deflect.stiff(residual), 0.0)
+    if part is not None:
+        even = np.where(loaded, deflect.stiff(part), 0.0)
+        stiff = stiff - even * (_inner(part, stiff) / _inner(part, even))
+    product = _inner(residual, stiff)
+    direction = stiff
+    if before is not None:
+        last, last_product, last_direction = before
+        # Polak and Ribiere's, since the loaded cells change
+        turn = max((product - _inner(last, stiff)) / last_product, 0.0)
+        direction = np.where(loaded, stiff + turn * last_direction, 0.0)
+    return direction, (residual, product, direction)
+
+
+def _inner(one, other):
+    return float((one * other).sum())
 
 
 def _scaled(pressure, gap, deflect, total, penetration, share, weight):

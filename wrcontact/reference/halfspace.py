@@ -21,7 +21,7 @@ Lengths in m, pressures in Pa, forces in N; x along the first axis of every arra
 """
 
 from .blocks import refine_blocks
-from .boxes import loaded_boxes, merged
+from .boxes import are_apart, loaded_boxes, merged
 from .checks import check_load, check_number, checked_domain
 from .flat_gap import FlatGap
 from .missed import missed
@@ -33,7 +33,7 @@ TOLERANCE = 5e-3
 TOLERANCE_RANGE = (3e-4, 0.1)     # the edge is known to EDGE_DOUBT: less would take more than CELL_LIMIT
 #: The residual is reduced to this share of the tolerance, so that it does not count in the grid's error.
 RESIDUAL_SHARE = 1e-3
-LOOK_REPEATS = 5
+LOOK_REPEATS = 7
 
 
 def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None,
@@ -41,8 +41,8 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     """The contact for any gap: finds the patches, fits a grid to them, and refines it
     until the answer stands.
 
-    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`); where they do,
-    or patches have been missed at first, each group of patches has its own grid.
+    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`).  Each group of
+    patches has its own grid where they are far apart, or where patches have been missed at first.
 
     Parameters
     ----------
@@ -79,22 +79,16 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
 def solve_problem(problem, tolerance=TOLERANCE):
     """The contact of a :class:`~wrcontact.reference.problem.Problem`, over a plane or where the patches turn;
     as :func:`solve_contact`."""
-    coarse = solve_window(problem, problem.surfaces.window(problem))
-    if not coarse.pressure.any():
-        return coarse
+    found = solve_window(problem, problem.surfaces.window(problem))
+    if not found.pressure.any():
+        return found
     ridge = problem.surfaces.ridge(problem.domain)
-    boxes = missed(problem, ridge, coarse)
-    if not boxes:
-        found = refine(problem, coarse, tolerance)
-        boxes = missed(problem, ridge, found)
-        if not boxes:
-            return found
-        coarse = found
     for _ in range(LOOK_REPEATS):
-        found = refine_blocks(problem, merged(loaded_boxes(coarse) + boxes), tolerance)
         boxes = missed(problem, ridge, found)
-        if not boxes:
+        if found.error and not boxes:
             return found
-        coarse = found
+        groups = merged(loaded_boxes(found) + boxes)
+        found = (refine_blocks(problem, groups, tolerance) if boxes or are_apart(groups)
+                 else refine(problem, found, tolerance))
     raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is "
                           "none")

@@ -32,10 +32,10 @@ def refine(problem, coarse, tolerance):
     """Grids fitted to the patches of ``coarse``, with cells halved until the answer stands
     within ``tolerance``. (H7)"""
     window, counts = fit_window(coarse)
-    found, iterations, before = coarse, coarse.iterations, None
+    previous, found, iterations, before = coarse, coarse, coarse.iterations, None
     while True:
-        previous, found = found, solve_grid(problem.near(found.penetration), *centres(window, counts),
-                                            _resampled(found, window, counts))
+        found = solve_grid(problem.near(found.penetration), *centres(window, counts),
+                           _resampled(found, window, counts))
         iterations += found.iterations
         touched = touched_sides(found.pressure)
         if any(touched):
@@ -47,7 +47,7 @@ def refine(problem, coarse, tolerance):
         error["area"] = max(error["area"], area_doubt(found))
         if before is not None and max(error.values()) <= tolerance:
             return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
-        before, counts = change, tuple(2 * n for n in counts)
+        previous, before, counts = found, change, tuple(2 * n for n in counts)
         if counts[0] * counts[1] > CELL_LIMIT:
             raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
                                   f"{max(error.values()):.2g} on {counts[0] // 2} x {counts[1] // 2} cells; "
