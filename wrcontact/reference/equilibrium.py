@@ -16,7 +16,9 @@ from .outputs import resultant
 from .pressed_wheel import PressedWheel, press
 from .turning_gap import turning_gap
 
-TRIALS = 12
+TRIALS = 25
+FLATTEST = 0.05          # a slope between two trials is at least this share of the levers' difference
+# the right side's height less the left one's falls where the roll grows
 LONGEST = 2e-4           # [m]; longest move of a wheel from one trial to the next
 COARSE = 0.03            # tolerance of the first trials
 #: Heights that differ by this share of the penetration are equal; the grids' own error is 2e-4.
@@ -58,16 +60,30 @@ def find_equilibrium(stand, roll, arm, tolerance):
     ArithmeticError
         where there is none within TRIALS trials.
     """
-    kept, stands = max(tolerance, COARSE), (None, None)
+    kept, stands, low, high, last = max(tolerance, COARSE), (None, None), -math.inf, math.inf, None
     for _ in range(TRIALS):
         stands = tuple(stand(index, roll, kept, stands[index]) for index in (0, 1))
         left, right = stands
         apart, depth = right.height - left.height, max(each.penetration for each in stands)
         if abs(apart) <= EQUAL * depth and kept == tolerance:
             return roll, stands
-        if abs(apart) <= COARSE * depth:
-            kept = tolerance
-        roll += float(np.clip(-apart / (right.lever - left.lever), -LONGEST / arm, LONGEST / arm))
+        slope = right.lever - left.lever
+        if last is not None:
+            seen = (apart - last[1]) / (roll - last[0])
+            slope = seen if FLATTEST * slope > seen else FLATTEST * slope
+        # a quarter of the last difference, or the bracket is halved
+        slow = last is not None and abs(apart) > 0.25 * abs(last[1])
+        last = roll, apart
+        if abs(apart) <= COARSE * depth and kept > tolerance:
+            # the roll may lie a little outside of what coarse grids have shown
+            kept, low, high, last = tolerance, -math.inf, math.inf, None
+        elif apart > 0.0:
+            low = max(low, roll)
+        else:
+            high = min(high, roll)
+        roll += float(np.clip(-apart / slope, -LONGEST / arm, LONGEST / arm))
+        if math.isfinite(high - low) and (slow or not low < roll < high):
+            roll = 0.5 * (low + high)
     raise ArithmeticError(f"both wheels' heights still differ by {apart:g} m after {TRIALS} rolls; permitted is "
                           f"{EQUAL * depth:g} m")
 
