@@ -13,7 +13,7 @@ from .window import fit_window
 COARSE_CELLS = 24        # per side of the first window
 WINDOW_REPEATS = 12
 CELL_LIMIT = 2_000_000   # of a grid
-EDGE_DOUBT = 0.03        # [cells]; what is left of a patch's edge, as the error of an area
+EDGE_DOUBT = 0.05        # [cells]; what is left of a patch's edge, as the error of an area
 
 
 def solve_window(problem, window):
