@@ -59,11 +59,6 @@ def test_contact_conformal_in_all_rows():
     assert np.all(found.max(axis=0) < (0.65, 2.0, 1.3)), found.max(axis=0)
 
 
-@functools.cache
-def rigid(shift, yaw):
-    return brute_force.rigid_contact(brute_force.track(), shift, math.radians(yaw))
-
-
 @pytest.mark.parametrize("index", [9, pytest.param(0, marks=pytest.mark.slow),
                                    pytest.param(6, marks=pytest.mark.slow),
                                    pytest.param(7, marks=pytest.mark.slow)])

@@ -1,7 +1,6 @@
 """The half-space on the true gap: tables, the independent program, and its place in ContactSystem."""
 
 import dataclasses
-import functools
 import math
 import pickle
 
@@ -58,16 +57,12 @@ POSES = {  # lateral shift [m], yaw [deg], force [N], side
 }
 
 
-@functools.lru_cache
-def rigid(shift, yaw):
-    return brute_force.rigid_contact(brute_force.track(), shift, math.radians(yaw))
-
-
-def sunk_pose(wheelset, side, penetration):
-    """The independent program's pose of a wheel, as a right one, that has moved straight down from rigid
-    contact."""
-    pose = brute_force.Pose(wheelset.lateral_shift, wheelset.yaw, wheelset.roll, wheelset.vertical_shift
-                            + penetration / math.cos(getattr(wheelset, side).contact_angle))
+def sunk_pose(state, side):
+    """The independent program's pose of a wheel, as a right one, that has moved straight down from rigid contact
+    (which tests/search compares with its own search)."""
+    wheel = getattr(state, side)
+    pose = brute_force.Pose(state["lateral_shift"], state["yaw"], state.roll, state.vertical_shift
+                            + wheel.penetration / math.cos(wheel.contact_angle))
     return pose if side == "right" else pose.mirrored()
 
 
@@ -76,8 +71,8 @@ def sunk_pose(wheelset, side, penetration):
 def test_true_gap_is_that_of_the_independent_program(system, track, name):
     """Along the same normals, wherever the gap is below 2 mm: to 1e-13 m, or 1.2e-7 m across the printed steps of
     S1002, which both take out in their own ways (wrcontact/profiles/compiled.py; without_steps)."""
-    shift, yaw, _, side = POSES[name]
-    pose = sunk_pose(rigid(shift, yaw), side, 5e-5)
+    shift, yaw, force, side = POSES[name]
+    pose = sunk_pose(wrcontact.ContactSystem().evaluate(shift, math.radians(yaw), force), side)
     pair = wheel_on_rail(system._tables, 1, lateral_shift=pose.lateral_shift, yaw=pose.yaw, roll=pose.roll,
                          vertical_shift=pose.vertical_shift)
     ours = turning_gap(pair, 0.0)
@@ -102,9 +97,10 @@ def test_the_independent_program_agrees(system, track, name):
     """At the height to which the wheel sinks, on its grid of 110 cells or more: as much force, to 5e-4 (3e-4 in
     penetration); 0.2 % in peak pressure, 1 % in area, whose edge it finds along x only."""
     shift, yaw, force, side = POSES[name]
-    found = getattr(system.evaluate(shift, math.radians(yaw), force), side)
+    state = system.evaluate(shift, math.radians(yaw), force, side=side)
+    found = getattr(state, side)
     assert found.patch_count == (2 if name == "two_point" else 1)
-    truth = conformal_reference.lowered_contact(track, sunk_pose(rigid(shift, yaw), side, found.penetration))
+    truth = conformal_reference.lowered_contact(track, sunk_pose(state, side))
     assert truth.force == pytest.approx(force, rel=5e-4)
     assert found.max_pressure == pytest.approx(truth.max_pressure, rel=2e-3)
     assert found.area == pytest.approx(truth.area, rel=0.01)
@@ -119,11 +115,10 @@ def test_the_independent_program_agrees_on_random_poses(system, track, seed):
     for _ in range(8):
         shift, yaw, force = rng.uniform(-6.8e-3, 6.8e-3), rng.uniform(-0.03, 0.03), 10 ** rng.uniform(2, 5.2)
         state = system.evaluate(shift, yaw, force)
-        wheelset = brute_force.rigid_contact(track, shift, yaw)
         assert state.status == Status.VALID
         for side in ("left", "right"):
             found, pose = getattr(state, side), (shift, yaw, force, side)
-            truth = conformal_reference.lowered_contact(track, sunk_pose(wheelset, side, found.penetration))
+            truth = conformal_reference.lowered_contact(track, sunk_pose(state, side))
             assert truth.force == pytest.approx(force, rel=2e-3), pose
             assert found.max_pressure == pytest.approx(truth.max_pressure, rel=5e-3), pose
             assert found.area == pytest.approx(truth.area, rel=0.02), pose
@@ -133,7 +128,8 @@ def test_the_independent_program_agrees_on_random_poses(system, track, seed):
 def test_the_independent_program_sinks_as_deep(system, track):
     """It looks for the height itself."""
     shift, yaw, force = 6.1e-3, 0.4, 8e4
-    truth = conformal_reference.sunk_contact(track, rigid(shift, yaw), "right", force)
+    rigid = brute_force.rigid_contact(track, shift, math.radians(yaw))
+    truth = conformal_reference.sunk_contact(track, rigid, "right", force)
     found = system.evaluate(shift, math.radians(yaw), force, side="right").right
     assert found.penetration == pytest.approx(truth.penetration, rel=4e-4)
     assert found.max_pressure == pytest.approx(truth.max_pressure, rel=2e-3)
