@@ -11,14 +11,17 @@ from .edge import EDGE_PAD, loaded_area, peak_pressure
 from .gradients import constrained_gradients, estimate_penetration
 from .refinement import CELL_LIMIT, area_doubt, changes, estimate_error
 from .solution import HalfspaceContact
-from .window import PATCH_CELLS
+from .window import MINOR_PATCH, PATCH_CELLS
+
+MINOR_CELLS = 5          # over a patch that carries less than MINOR_PATCH, on the first grid
 
 
-def refine_blocks(problem, groups, tolerance):
-    """As :func:`refine`, each group of boxes on its own grid, all with equal cells."""
-    boxes = [box for group in groups for box in group]
-    hulls = [hull(group) for group in groups]
-    cell = [max(min(box[k + 1] - box[k] for box in boxes) / PATCH_CELLS,
+def refine_blocks(problem, patches, tolerance):
+    """As :func:`refine`, each group of patches on its own grid, all with equal cells.  ``patches`` are
+    boxes with their shares of the load."""
+    hulls = [hull(group) for group in merged([box for box, _ in patches])]
+    cell = [max(min((box[k + 1] - box[k]) / (PATCH_CELLS if share >= MINOR_PATCH else MINOR_CELLS)
+                    for box, share in patches),
                 max(each[k + 1] - each[k] for each in hulls) / (8 * PATCH_CELLS)) for k in (0, 2)]
     previous, before, iterations = None, None, 0
     error = {}
@@ -40,7 +43,8 @@ def refine_blocks(problem, groups, tolerance):
             error = {name: estimate_error(before[name], now) if before else now
                      for name, now in change.items()}
             error["area"] = max(error["area"], area_doubt(found))
-            if before is not None and max(error.values()) <= tolerance:
+            # a first change counts as one of first order
+            if max(error.values()) <= tolerance:
                 return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
             before = change
         problem = problem.near(found.penetration)

@@ -44,11 +44,13 @@ def enlarged(box, touched, domain, share):
 
 
 def loaded_boxes(found):
-    """Box around each connected run of loaded cells that is more than a stray one."""
+    """Box around each connected run of loaded cells, and its share of the load."""
     dx, ds = found.x[1] - found.x[0], found.s[1] - found.s[0]
-    labels, _ = ndimage.label(found.pressure > 0.0, np.ones((3, 3)))
-    return [(found.x[rows][0] - 0.5 * dx, found.x[rows][-1] + 0.5 * dx, found.s[columns][0] - 0.5 * ds,
-             found.s[columns][-1] + 0.5 * ds) for rows, columns in ndimage.find_objects(labels)]
+    labels, count = ndimage.label(found.pressure > 0.0, np.ones((3, 3)))
+    loads = ndimage.sum_labels(found.pressure, labels, np.arange(1, count + 1))
+    return [((found.x[rows][0] - 0.5 * dx, found.x[rows][-1] + 0.5 * dx, found.s[columns][0] - 0.5 * ds,
+              found.s[columns][-1] + 0.5 * ds), load / loads.sum())
+            for (rows, columns), load in zip(ndimage.find_objects(labels), loads)]
 
 
 def merged(boxes):

@@ -87,8 +87,10 @@ def solve_problem(problem, tolerance=TOLERANCE):
         boxes = missed(problem, ridge, found)
         if found.error and not boxes:
             return found
-        groups = merged(loaded_boxes(found) + boxes)
-        found = (refine_blocks(problem, groups, tolerance) if boxes or are_apart(groups)
+        # what a patch that has been missed will carry is not known, but little
+        patches = loaded_boxes(found) + [(box, 0.0) for box in boxes]
+        found = (refine_blocks(problem, patches, tolerance)
+                 if boxes or are_apart(merged([box for box, _ in patches]))
                  else refine(problem, found, tolerance))
     raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is "
                           "none")
