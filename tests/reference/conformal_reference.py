@@ -73,8 +73,8 @@ class Lowered:
 
         def inside(t, x, y, z, angle):
             qx, qy, qz = self.in_wheelset(self.place(x, y, z, angle, t))
-            return self.system.nominal_radius + self.system.wheel(qy - self.system.half_distance)[0] - np.hypot(
-                qx, qz)
+            radius = self.system.nominal_radius + self.system.wheel(qy - self.system.half_distance)[0]
+            return radius - np.hypot(qx, qz)
 
         return meet(inside, *np.broadcast_arrays(x, y, z, angle))
 
@@ -191,7 +191,8 @@ def solve(x, sigma, angle, gap):
         g = u + gap
         norm = np.sum(g[contact] ** 2)
         overlap = (p == 0) & (g < 0)
-        if norm < contact.sum() * (PRECISION * u.max()) ** 2 and not np.any(g[overlap] < -PRECISION * u.max()):
+        allowed = PRECISION * u.max()
+        if norm < contact.sum() * allowed**2 and not np.any(g[overlap] < -allowed):
             return Solution(x, sigma, angle, p)
         direction = np.where(contact, g + conjugate * norm / last * direction, 0)
         step = np.sum((g * direction)[contact]) / np.sum((deflection(direction) * direction)[contact])
@@ -202,8 +203,8 @@ def solve(x, sigma, angle, gap):
 
 
 def lowered_contact(system, pose, cells=FINE):
-    """The contact of a right wheel at ``pose``, which overlaps its rail; ``cells`` over the overlap along x, and
-    at least as many across."""
+    """The contact of a right wheel at ``pose``, which overlaps its rail; ``cells`` over the overlap along x,
+    and at least as many across."""
     lowered = Lowered(replace(system, wheel=without_steps(system.wheel)), pose)
     curve = lowered.curve()
     low, high = np.array([-AHEAD, curve.sigma[0]]), np.array([AHEAD, curve.sigma[-1]])

@@ -1,5 +1,5 @@
-"""Writes positions.csv: the right wheel's patch from tread to flange, complete theory where the wheel has come
-down from its rigid pose.
+"""Writes positions.csv: the right wheel's patch from tread to flange, complete theory where the wheel has
+come down from its rigid pose.
 
 S1002 on UIC60 1:40, gauge 1435 mm, 78.5 kN, no yaw; rigid pose from ``brute_force``, patch from
 ``conformal_reference``. SI units. About five minutes on one core::

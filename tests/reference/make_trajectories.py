@@ -1,7 +1,8 @@
 """Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
 Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``conformal_reference``: the
-wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About TIME on one core::
+wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About TIME on
+one core::
 
     python -m tests.reference.make_trajectories [hunting] [jumps] [load]
 """
@@ -15,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from tests.reference.brute_force import rigid_contact, track
-from tests.reference.find_jumps import find_jumps
 from tests.reference.conformal_reference import sunk_contact
+from tests.reference.find_jumps import find_jumps
 from wrcontact.progress import tracked
 
 OUTPUT = Path(__file__).resolve().parent.parent / "trajectories"

@@ -1,5 +1,5 @@
-"""The half-space on wheel and rail where the patch turns: CONTACT's conformal answers, the independent program, and
-what one mode says about another."""
+"""The half-space on wheel and rail where the patch turns: CONTACT's conformal answers, the independent
+program, and what one mode says about another."""
 
 import csv
 import functools
@@ -46,8 +46,8 @@ def errors(index):
 
 @pytest.mark.parametrize("index", QUICK)
 def test_contact_conformal(index):
-    """CONTACT counts cells, which gives 0.5 ... 1 % more area than the edge within the cells; its grid of N is
-    good to 0.2 %, and in the widest patches to 0.4 %."""
+    """CONTACT counts cells, which gives 0.5 ... 1 % more area than the edge within the cells; its grid of N
+    is good to 0.2 %, and in the widest patches to 0.4 %."""
     assert np.all(np.abs(errors(index)) < (0.004, 0.017, 0.003))
 
 
@@ -63,8 +63,8 @@ def test_contact_conformal_in_all_rows():
                                    pytest.param(6, marks=pytest.mark.slow),
                                    pytest.param(7, marks=pytest.mark.slow)])
 def test_the_independent_program_has_the_same_contact(index):
-    """At the same height and roll, on its own grid of 110 cells or more: the same theory, from printed profiles
-    and by root search. It finds the edge along x only."""
+    """At the same height and roll, on its own grid of 110 cells or more: the same theory, from printed
+    profiles and by root search. It finds the edge along x only."""
     row = ROWS[index]
     stand = stand_of(row)
     truth = conformal_reference.lowered_contact(brute_force.track(), brute_force.Pose(*(
@@ -75,8 +75,9 @@ def test_the_independent_program_has_the_same_contact(index):
     assert found.area == pytest.approx(truth.area, rel=0.025)
 
 
-#: lateral shift [m], yaw [deg], force [N]; penetration [um], area [mm2] and peak pressure [MPa] of the wheel that
-#: has moved straight down, by the trial program from which this theory was taken, on grids of 90 x 180 cells.
+#: lateral shift [m], yaw [deg], force [N]; penetration [um], area [mm2] and peak pressure [MPa] of the wheel
+#: that has moved straight down, by the trial program from which this theory was taken, on grids of 90 x 180
+#: cells.
 SUNK = {"wide": ((6.24e-3, 0.0, 120e3), (115.1, 154.0, 1754.0)),
         "split": ((5.85e-3, 2.0, 120e3), (146.1, 64.7, 3214.0)),
         "widest": ((6.25e-3, 0.0, 78.5e3), (79.0, 137.0, 1330.0))}
@@ -95,7 +96,8 @@ def test_a_rigid_wheel_sinks_straight_down(name):
 
 
 def test_rigid_contact_is_compliant_contact_at_the_height_it_sinks_to():
-    """Lateral shift and roll stay; the height grows by the penetration over the cosine of the contact angle."""
+    """Lateral shift and roll stay; the height grows by the penetration over the cosine of the contact
+    angle."""
     shift, yaw, force = 6.1e-3, 0.01, 9e4
     rigid_state = halfspace().evaluate(shift, yaw, force, side="right")
     side = rigid_state.right
@@ -178,8 +180,8 @@ def test_outline_has_no_normals_along_the_track(index):
 
 @pytest.mark.parametrize("index", (0, 6, 7))
 def test_the_curve_lies_between_the_bodies(index):
-    """Where they are close: the same distance to both, normals that are the mean of theirs (by differences along
-    the bodies), stations that are its length."""
+    """Where they are close: the same distance to both, normals that are the mean of theirs (by differences
+    along the bodies), stations that are its length."""
     pair = pair_of(index)
     curve = middle_curve(pair)
     near = np.flatnonzero(np.abs(curve.ridge - curve.rail) < 1.5e-4)[5:-5]
@@ -202,8 +204,8 @@ def test_the_curve_lies_between_the_bodies(index):
 
 
 def turned(pair, turn):
-    """Wheel and rail turned together about the track's x axis; the rail, whose profile a table cannot turn, by
-    another inclination, moved to where it comes to lie."""
+    """Wheel and rail turned together about the track's x axis; the rail, whose profile a table cannot turn,
+    by another inclination, moved to where it comes to lie."""
     inclination = math.tan(math.atan(1 / 40) - turn)
     tables = halfspace(rail_inclination=inclination)._tables
     cos, sin = math.cos(turn), math.sin(turn)
@@ -233,8 +235,8 @@ def test_turning_wheel_and_rail_together_changes_nothing(turn):
 
 
 def test_unequal_materials_move_the_load_of_a_turning_patch():
-    """The coupled part has the sign of the angle between places: it changes a patch that turns by half a radian a
-    little, one way and the other, and one that lies in a plane not at all."""
+    """The coupled part has the sign of the angle between places: it changes a patch that turns by half a
+    radian a little, one way and the other, and one that lies in a plane not at all."""
     def force(index, coupling):
         pair = pair_of(index)
         settings = Settings(halfspace()._tables[layout.SET_CONTACT_MODULUS], coupling, False, 5e-3)

@@ -52,8 +52,8 @@ def solved(name):
                                                + [pytest.mark.complete] * (k > 2))
                                   for k, name in enumerate(MISSED)])
 def test_no_patch_is_missed(name):
-    """Loads and places as measured; and nowhere on a dense grid over the whole rail do the bodies overlap by more
-    than 1 % of the penetration."""
+    """Loads and places as measured; and nowhere on a dense grid over the whole rail do the bodies overlap by
+    more than 1 % of the penetration."""
     pose, side, patches = MISSED[name][2:]
     state, found, wheel = solved(name)
     assert state.status == Status.VALID and found.patch_count == len(patches)
@@ -89,10 +89,10 @@ def test_the_independent_program_has_the_second_patch():
                          [("analyn", 6.125e-3, 0.04), ("analyn", 6.135e-3, 0.1),
                           ("analyn_strip", 6.125e-3, 0.04)])
 def test_a_patch_that_leans_away_is_the_half_space_s(model, shift, area):
-    """The flange beside the flange root, 44 deg apart, in rows of the stored run "jumps". How much it carries hangs
-    on the direction in which the wheel is pressed; as a patch of Hertz's its pressure goes with the cube root of its
-    load and its area with the square of that, whatever it carries (1.7 ... 2.2 GPa here; with one plane for both
-    patches it was twice that)."""
+    """The flange beside the flange root, 44 deg apart, in rows of the stored run "jumps". How much it carries
+    hangs on the direction in which the wheel is pressed; as a patch of Hertz's its pressure goes with the
+    cube root of its load and its area with the square of that, whatever it carries (1.7 ... 2.2 GPa here;
+    with one plane for both patches it was twice that)."""
     pose = shift, 0.0174532925199433, 78.5e3
     patches = []
     for given in ({"normal_model": model}, {"normal_model": "halfspace", "tolerance": 0.01}):

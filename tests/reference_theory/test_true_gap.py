@@ -58,8 +58,8 @@ POSES = {  # lateral shift [m], yaw [deg], force [N], side
 
 
 def sunk_pose(state, side):
-    """The independent program's pose of a wheel, as a right one, that has moved straight down from rigid contact
-    (which tests/search compares with its own search)."""
+    """The independent program's pose of a wheel, as a right one, that has moved straight down from rigid
+    contact (which tests/search compares with its own search)."""
     wheel = getattr(state, side)
     pose = brute_force.Pose(state["lateral_shift"], state["yaw"], state.roll, state.vertical_shift
                             + wheel.penetration / math.cos(wheel.contact_angle))
@@ -69,8 +69,8 @@ def sunk_pose(state, side):
 @pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] if k else [])
                                   for k, name in enumerate(POSES)])
 def test_true_gap_is_that_of_the_independent_program(system, track, name):
-    """Along the same normals, wherever the gap is below 2 mm: to 1e-13 m, or 1.2e-7 m across the printed steps of
-    S1002, which both take out in their own ways (wrcontact/profiles/compiled.py; without_steps)."""
+    """Along the same normals, wherever the gap is below 2 mm: to 1e-13 m, or 1.2e-7 m across the printed
+    steps of S1002, which both take out in their own ways (wrcontact/profiles/compiled.py; without_steps)."""
     shift, yaw, force, side = POSES[name]
     pose = sunk_pose(wrcontact.ContactSystem().evaluate(shift, math.radians(yaw), force), side)
     pair = wheel_on_rail(system._tables, 1, lateral_shift=pose.lateral_shift, yaw=pose.yaw, roll=pose.roll,
@@ -94,8 +94,8 @@ def test_true_gap_is_that_of_the_independent_program(system, track, name):
 @pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name != "flange_root"))
                                   for name in POSES])
 def test_the_independent_program_agrees(system, track, name):
-    """At the height to which the wheel sinks, on its grid of 110 cells or more: as much force, to 5e-4 (3e-4 in
-    penetration); 0.2 % in peak pressure, 1 % in area, whose edge it finds along x only."""
+    """At the height to which the wheel sinks, on its grid of 110 cells or more: as much force, to 5e-4 (3e-4
+    in penetration); 0.2 % in peak pressure, 1 % in area, whose edge it finds along x only."""
     shift, yaw, force, side = POSES[name]
     state = system.evaluate(shift, math.radians(yaw), force, side=side)
     found = getattr(state, side)

@@ -63,8 +63,8 @@ def test_influence_is_that_of_forces_on_two_half_spaces(wheel, rail):
 
 
 def test_coupling_of_materials():
-    """None between equal bodies; the other sign for exchanged ones; -(1 - 2 nu) / 2 (1 - nu) where the wheel is
-    rigid (Johnson 1985, table 5.1: 0.29 for rubber, that is 0.5 for a ratio of 0)."""
+    """None between equal bodies; the other sign for exchanged ones; -(1 - 2 nu) / 2 (1 - nu) where the wheel
+    is rigid, and 1/2 for a compressible wheel on a rigid rail."""
     assert coupling_of(STEEL, STEEL) == 0.0
     assert coupling_of(STEEL, RUBBER) == pytest.approx(-coupling_of(RUBBER, STEEL), rel=1e-12)
     assert coupling_of((1e30, 0.3), (1e9, 0.25)) == pytest.approx(-0.5 / 1.5, rel=1e-9)
@@ -93,9 +93,9 @@ def test_influence_is_symmetric_and_positive(coupling):
 
 @pytest.mark.parametrize("coupling", [0.0, 0.4])
 def test_influence_of_a_wave_on_a_cylinder(coupling):
-    """On a circle of curvature c a pressure cos(k s), even along x, gives way by
-    ((1 + coupling) / (k + c) + (1 - coupling) / (k - c)) / E* of itself: both neighbouring waves of the plane,
-    each by 2 / (E* k).  Here within a smooth envelope of a dozen waves, which adds 0.4 %."""
+    """On a circle of curvature c a pressure cos(k s), even along x, gives way by ((1 + coupling) / (k + c) +
+    (1 - coupling) / (k - c)) / E* of itself: both neighbouring waves of the plane, each by 2 / (E* k).  Here
+    within a smooth envelope of a dozen waves, which adds 0.4 %."""
     count, step, curvature, wave = 600, 1e-4, 300.0, 1500.0
     s = step * (np.arange(count) - count / 2 + 0.5)
     x = 4.0 * step * (np.arange(151) - 75)
@@ -129,7 +129,8 @@ def test_parallel_normals_have_no_coupling():
 
 
 class Turned(FlatGap):
-    """A gap over a curve, or a plane, whose normals have given angles; what is pressed moves along angle zero."""
+    """A gap over a curve, or a plane, whose normals have given angles; what is pressed moves along angle
+    zero."""
 
     def __init__(self, gap, angle):
         super().__init__(gap)

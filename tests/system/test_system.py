@@ -124,11 +124,9 @@ def test_nothing_valid_yet_is_nan():
     (dict(contact_mode="plastic"),
      "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'"),
     (dict(load="lateral"), "load is 'lateral'; permitted are 'normal', 'vertical'"),
-    (dict(normal_model="halfspace", contact_mode="elastic"),
-     "contact_mode is 'elastic'; permitted with the normal_model 'halfspace', which solves one wheel at its "
-     "rigid contact"),
-    (dict(normal_model="halfspace", load="vertical"),
-     "load is 'vertical'; permitted with the normal_model 'halfspace'"),
+    (dict(normal_model="halfspace", longitudinal_curvature="basic"),
+     "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace', which knows the whole "
+     "surface, is 'effective'"),
     (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
     (dict(separation="lateral"),
      "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),

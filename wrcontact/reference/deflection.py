@@ -1,7 +1,7 @@
 """Deflection of two elastic bodies under pressures that are constant on each cell of a grid.
 
 Love (1929); Johnson (1985), section 3.3; the convolution by fast Fourier transform. Equations
-(H2), (H3), (C1) of docs/method.md.
+(H2), (H3), (H10) of docs/method.md.
 """
 
 import math
@@ -20,17 +20,17 @@ def corner_potential(x, s):
 
 
 def corner_slope(x, s):
-    """Integral of s / r^2 over the rectangle from (0, 0) to (x, s) [m], but for terms of one coordinate alone,
-    which vanish between the corners of a rectangle; arrays broadcast.  (C5)"""
+    """Integral of s / r^2 over the rectangle from (0, 0) to (x, s) [m], but for terms of one coordinate
+    alone, which vanish between the corners of a rectangle; arrays broadcast.  (H13)"""
     return x * np.log(np.hypot(x, s)) + s * np.arctan(x / s)
 
 
 def coupling_of(wheel, rail):
-    """Coupling of normal pressure and tangential displacement between the bodies, -1/2 ... 1/2; zero for equal
-    materials.
+    """Coupling of normal pressure and tangential displacement between the bodies, -1/2 ... 1/2; zero for
+    equal materials.
 
     Dundurs' second constant, ``[(1 - 2 nu_w)/G_w - (1 - 2 nu_r)/G_r] / 2[(1 - nu_w)/G_w + (1 - nu_r)/G_r]``
-    (Johnson 1985, eq. 5.3a); ``wheel`` and ``rail`` are (Young's modulus [Pa], Poisson's ratio).  (C4)
+    (Johnson 1985, eq. 5.3a); ``wheel`` and ``rail`` are (Young's modulus [Pa], Poisson's ratio).  (H12)
     """
     (shift_w, press_w), (shift_r, press_r) = (
         ((1.0 - 2.0 * ratio) * 2.0 * (1.0 + ratio) / modulus, (1.0 - ratio) * 2.0 * (1.0 + ratio) / modulus)
@@ -39,11 +39,12 @@ def coupling_of(wheel, rail):
 
 
 def influence(away_x, away_s, *, contact_modulus, coupling=0.0):
-    """Deflection [m] at cells away (n,), (m,) [m] from a cell under 1 Pa, (n, m); spacings are the cell's sides.
+    """Deflection [m] at cells away (n,), (m,) [m] from a cell under 1 Pa, (n, m); spacings are the cell's
+    sides.
 
     Its real part is K, that of parallel normals, by the four corners of the cell seen from the place: Love
     (1929), Johnson (1985) eq. (3.25).  (H3)  With a ``coupling`` the imaginary part counts where normals
-    differ.  (C3)
+    differ.  (H11)
     """
     edges = [np.append(away - 0.5 * step, away[-1] + 0.5 * step)
              for away, step in ((away, away[1] - away[0]) for away in (away_x, away_s))]
@@ -57,10 +58,10 @@ def influence(away_x, away_s, *, contact_modulus, coupling=0.0):
 class Deflection:
     """Pressure (n, m) [Pa] to what both bodies together give way along the normals (n, m) [m].
 
-        u_i = Re sum_j exp(i (a_j - a_i)) (K + i T)_ij p_j                                          (C3)
+        u_i = Re sum_j exp(i (a_j - a_i)) (K + i T)_ij p_j                                          (H11)
 
     with the angles a of the normals: for equal materials K times the cosine of the angle between two places'
-    normals (C1), for parallel ones Love's K (H2).  Grids are padded to twice their size, so that the
+    normals (H10), for parallel ones Love's K (H2).  Grids are padded to twice their size, so that the
     periodic convolution of the Fourier transform is the plain one.
 
     Parameters
@@ -116,6 +117,6 @@ class Deflection:
     def stiff(self, bent):
         """Pressures (n, m) [Pa] that cause a deflection (n, m) [m], roughly: each wave of the grid by itself,
         |k| E* / 2, with parallel normals, grids for themselves and repeated without end.  Symmetric and
-        positive. (H11)"""
+        positive. (H15)"""
         spectrum = fft.rfft2(bent.reshape(-1, *self.shape)) * self._stiffness
         return fft.irfft2(spectrum, self.shape).reshape(bent.shape)

@@ -4,7 +4,7 @@ At a given roll each side has one height H at which it carries its load: the one
 plus its penetration.  In equilibrium both are equal.  Where the roll changes under a constant load, a wheel
 turns about its force's line of action (docs/method.md, section 10):
 
-    dH / droll = -M_x / F_z                                                                     (C8)
+    dH / droll = -M_x / F_z                                                                     (H16)
 """
 
 import math
@@ -84,15 +84,15 @@ def find_equilibrium(stand, roll, arm, tolerance):
         roll += float(np.clip(-apart / slope, -LONGEST / arm, LONGEST / arm))
         if math.isfinite(high - low) and (slow or not low < roll < high):
             roll = 0.5 * (low + high)
-    raise ArithmeticError(f"both wheels' heights still differ by {apart:g} m after {TRIALS} rolls; permitted is "
-                          f"{EQUAL * depth:g} m")
+    raise ArithmeticError(f"both wheels' heights still differ by {apart:g} m after {TRIALS} rolls; permitted "
+                          f"is {EQUAL * depth:g} m")
 
 
 def stand_of(pair, index, settings, force, last=None):
     """The :class:`Stand` of a side (0 left, 1 right) under a ``force`` [N].
 
-    ``pair`` is near the place where it carries the force, within a millimetre; ``last`` is its stand at another
-    roll.
+    ``pair`` is near the place where it carries the force, within a millimetre; ``last`` is its stand at
+    another roll.
     """
     given = pair.centre[2]
     touching, place, angle = just_touching(pair)

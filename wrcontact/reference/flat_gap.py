@@ -8,7 +8,8 @@ from .window import dip, find_window
 
 
 class FlatGap:
-    """The distance of two surfaces over a plane, by a function of x (n,) and s (m,) [m] that returns (n, m) [m].
+    """The distance of two surfaces over a plane, by a function of x (n,) and s (m,) [m] that returns (n, m)
+    [m].
 
     Attributes
     ----------
@@ -31,7 +32,8 @@ class FlatGap:
         return self
 
     def window(self, problem):
-        """Box (x_low, x_high, s_low, s_high) [m] of what the load's penetration reaches, all patches together."""
+        """Box (x_low, x_high, s_low, s_high) [m] of what the load's penetration reaches, all patches
+        together."""
         return find_window(self.gap, problem)
 
     def ridge(self, domain):

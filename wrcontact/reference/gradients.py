@@ -18,9 +18,9 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
 
     Their steps: residual on the loaded cells, conjugate direction, exact line search, tension cut off,
     overlapping cells let in, load restored.  The residual is first turned into pressures by the half-space's
-    stiffness (Vollebergt 2014, H11), which takes a third of the iterations.  A penetration takes ``share`` of
+    stiffness (Vollebergt 2014, H15), which takes a third of the iterations.  A penetration takes ``share`` of
     itself from the gap of a cell, and a pressure counts with ``weight`` in the force; both are 1 over a
-    plane. (C6)
+    plane. (H14)
 
     Parameters
     ----------
@@ -39,20 +39,17 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
     share, weight = (np.broadcast_to(each, gap.shape) for each in (share, weight))
     total = None if problem.force is None else problem.force / cell
     pressure = _scaled(pressure, gap, deflect, total, problem.penetration, share, weight)
-    bent = deflect(pressure)
-    before, scale = None, 1.0
+    bent, before, scale = deflect(pressure), None, 1.0
     for iteration in range(ITERATION_LIMIT + 1):
         loaded = pressure > 0.0
-        clearance = bent + gap
         part = np.where(loaded, share, 0.0)
-        delta = problem.penetration if total is None else (_inner(part[loaded], clearance[loaded])
-                                                           / _inner(part, part))
-        clearance -= delta * share
+        clearance, delta = _clearance(bent + gap, loaded, part, share, problem)
         residual = np.where(loaded, clearance, 0.0)
         allowed = problem.precision * float(bent.max())
         outside = ~loaded & (clearance < 0.0)
-        if (_inner(residual, residual) <= allowed**2 * np.count_nonzero(loaded)
-                and not np.any(clearance[outside] < -allowed) and abs(scale - 1.0) <= problem.precision):
+        met = math.sqrt(_inner(residual, residual) / max(np.count_nonzero(loaded), 1))
+        if (met <= allowed and not np.any(clearance[outside] < -allowed)
+                and abs(scale - 1.0) <= problem.precision):
             return pressure, clearance, delta, iteration
         direction, before = _direction(residual, part if total is not None else None, loaded, deflect, before)
         change = deflect(direction)
@@ -61,19 +58,27 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
             before = None
             continue
         pressure = pressure - step * direction
-        cut = pressure < 0.0
-        pressure[cut] = 0.0
+        moved = bool(np.any(pressure < 0.0) or outside.any())
+        pressure = np.maximum(pressure, 0.0)
         if outside.any():
             pressure[outside] = np.maximum(deflect.stiff(np.where(outside, -clearance, 0.0))[outside], 0.0)
             before = None
         scale = 1.0 if total is None else total / _inner(weight, pressure)
         pressure *= scale
-        bent = deflect(pressure) if cut.any() or outside.any() else scale * (bent - step * change)
+        bent = deflect(pressure) if moved else scale * (bent - step * change)
         if not math.isfinite(scale):
             break
-    met = math.sqrt(_inner(residual, residual) / max(np.count_nonzero(loaded), 1))
     raise ArithmeticError(f"the contact condition is met to {met:.3g} m after {ITERATION_LIMIT} iterations; "
                           f"permitted is {allowed:.3g} m")
+
+
+def _clearance(apart, loaded, part, share, problem):
+    """Clearances [m] of surfaces that are ``apart`` [m] at no penetration, and the penetration [m]: the
+    prescribed one, or that which leaves no clearance to the loaded cells in the mean."""
+    delta = problem.penetration
+    if delta is None:
+        delta = _inner(part[loaded], apart[loaded]) / _inner(part, part)
+    return apart - delta * share, delta
 
 
 def _direction(residual, part, loaded, deflect, before):

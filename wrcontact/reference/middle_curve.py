@@ -1,7 +1,7 @@
 """The curve between wheel and rail over which a contact is solved, and its normals.
 
 A rail point r is joined with the wheel's outline along the mean of both bodies' normals there; the middle of
-the joint is a point of the curve, and the curve's arc length is the station sigma (C2 of docs/method.md).
+the joint is a point of the curve, and the curve's arc length is the station sigma (H8 of docs/method.md).
 Seen along the track the patch lies on this curve.
 """
 

@@ -47,8 +47,8 @@ def solve_grid(problem, x, s, guess=None):
     """The contact of a :class:`Problem` on evenly spaced cell centres x (n,), s (m,) [m]."""
     gap, angle, share = problem.surfaces.gap(x, s), problem.surfaces.angle(s), problem.surfaces.share(s)
     if not np.isfinite(gap).any():
-        raise ArithmeticError(f"there are no surfaces between x = {x[0]:g} ... {x[-1]:g} m and s = {s[0]:g} ... "
-                              f"{s[-1]:g} m; permitted are grids with a finite gap")
+        raise ArithmeticError(f"there are no surfaces between x = {x[0]:g} ... {x[-1]:g} m and s = "
+                              f"{s[0]:g} ... {s[-1]:g} m; permitted are grids with a finite gap")
     force, penetration = problem.force, problem.penetration
     dx, ds = (float(centres[-1] - centres[0]) / (len(centres) - 1) for centres in (x, s))
     lowest = float((gap / share).min())

@@ -38,8 +38,8 @@ def extents(contact):
 
 
 def solved_patches(wheel, mirror=1.0):
-    """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`; ``mirror``
-    is -1 for a left wheel, whose forces are the mirrored ones.
+    """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`;
+    ``mirror`` is -1 for a left wheel, whose forces are the mirrored ones.
 
     A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of
     the strips, and the wheel's abscissa and the slant of a patch.
@@ -127,8 +127,8 @@ def _station(contact, place):
 
 
 def fill_force(patch, wheel, loads, mirror):
-    """The force on the wheel of a patch, the sum of the ``loads`` (m,) [N] of its columns along their normals,
-    its angle, and its centre of load."""
+    """The force on the wheel of a patch, the sum of the ``loads`` (m,) [N] of its columns along their
+    normals, its angle, and its centre of load."""
     surfaces, angle = wheel.surfaces, wheel.contact.angle
     across, down = -loads @ np.sin(angle), -loads @ np.cos(angle)
     force = patch.force

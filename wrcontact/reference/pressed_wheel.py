@@ -72,5 +72,5 @@ def press(pair, settings, *, force=None, penetration=None, estimate=None, sure=F
         if final and abs(found.penetration - laid) <= LAID_SHARE * abs(laid):
             return PressedWheel(surfaces.near(found.penetration), found)
         laid = found.penetration
-    raise ArithmeticError(f"the penetration still changes from {laid:g} m after {LAYINGS} curves between wheel "
-                          "and rail")
+    raise ArithmeticError(f"the penetration still changes from {laid:g} m after {LAYINGS} curves between "
+                          "wheel and rail")

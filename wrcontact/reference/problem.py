@@ -44,7 +44,8 @@ class Problem:
         return replace(self, surfaces=self.surfaces.near(penetration))
 
     def deflection(self, shape, dx, ds, angle, corners=None):
-        """The :class:`~wrcontact.reference.deflection.Deflection` on grids whose normals have these angles."""
+        """The :class:`~wrcontact.reference.deflection.Deflection` on grids whose normals have these
+        angles."""
         return Deflection(shape, dx, ds, self.contact_modulus, corners=corners, angle=angle,
                           coupling=self.coupling)
 

@@ -21,8 +21,8 @@ RIDGE_STEP = 1e-3        # [m]; the places x of a ridge are known better
 
 @dataclass(frozen=True)
 class TurningGap:
-    """Wheel and rail over the curve between them: what :class:`~wrcontact.reference.flat_gap.FlatGap` is for a
-    plane.
+    """Wheel and rail over the curve between them: what :class:`~wrcontact.reference.flat_gap.FlatGap` is for
+    a plane.
 
     A penetration is here how far the wheel has moved straight down since it just touched.
 
@@ -56,7 +56,7 @@ class TurningGap:
 
     def gap(self, x, s):
         """Distance of the surfaces at x (n,) or (n, m), s (m,) [m] along the normals: (n, m) [m], infinite
-        without surfaces or far from each other. (C2)
+        without surfaces or far from each other. (H8)
 
         It is that at no penetration, as far as it changes with the penetration as it does ``at`` this one.
         """
@@ -109,6 +109,6 @@ class TurningGap:
 
 
 def turning_gap(pair, penetration):
-    """The :class:`TurningGap` of a wheel that just touches, with its curve for a ``penetration`` [m].  Stations
-    count from the inner end of the rail."""
+    """The :class:`TurningGap` of a wheel that just touches, with its curve for a ``penetration`` [m].
+    Stations count from the inner end of the rail."""
     return TurningGap(pair, middle_curve(pair.lowered(penetration)), penetration, penetration)

@@ -102,8 +102,8 @@ class WheelOnRail:
         return np.where(met & _inside(self.rail, y + t * across - self.rail_y), t, -math.inf)
 
     def wheel_along(self, x, y, z, angle, guess):
-        """Distance t (n, m) [m] from the points (x, y, z), x (n, m), y and z (m,), to the wheel along normals;
-        inf without one.
+        """Distance t (n, m) [m] from the points (x, y, z), x (n, m), y and z (m,), to the wheel along
+        normals; inf without one.
 
         A point q in the wheelset frame lies on the wheel where its distance from the axle is the wheel's
         radius, ``hypot(q_x, q_z) = R_0 + z(q_y)``; q is linear in t.

@@ -36,8 +36,8 @@ def find_window(gap_function, problem):
         level = problem.penetration
         if force is not None:
             lowest = float(gap.min())
-            level = lowest + WINDOW_MARGIN * (estimate_penetration(gap, dx * ds, problem.contact_modulus, force)
-                                              - lowest)
+            estimate = estimate_penetration(gap, dx * ds, problem.contact_modulus, force)
+            level = lowest + WINDOW_MARGIN * (estimate - lowest)
         near = gap - dip(gap) <= max(level, gap.min())
         shrunk = clipped(around(near, x, s, dx, ds, 1.5), domain)
         if all(shrunk[k + 1] - shrunk[k] > ZOOM_ENOUGH * (box[k + 1] - box[k]) for k in (0, 2)):
