@@ -1,8 +1,8 @@
 """Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
 Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``conformal_reference``: the
-wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About TIME on
-one core::
+wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About an hour
+on one core::
 
     python -m tests.reference.make_trajectories [hunting] [jumps] [load]
 """
