@@ -36,6 +36,7 @@ ROUNDS = 4  # of the mean normal
 CLOSE = 0.25e-3  # [m] the curve reaches as far as the bodies come closer than this
 COARSE, FINE = (40, 60), 110  # cells over the overlap
 FINEST_WIDE = 0.08e-3  # [m] largest cell across the rail
+MOST_ALONG = 5  # times as many cells along the track, where overlaps lie behind each other
 PRECISION = 1e-7  # residual of the contact condition, as a share of the largest deflection
 MATCHED = 3e-5  # error of the force that is looked for; less than the grid's
 
@@ -218,7 +219,10 @@ def lowered_contact(system, pose, cells=FINE, curve=None):
         h = lowered.gap(curve, x, sigma)
         # an overlap between samples along x is found by their parabolas
         low, high = bounds(x, sigma, h - 0.25 * np.abs(np.gradient(np.gradient(h, axis=0), axis=0)) < 0.0)
-    counts = (cells, max(cells, int((high[1] - low[1]) / FINEST_WIDE))) if cells > COARSE[0] else COARSE
+    # as many cells over the longest overlap along x, where a yawed wheel has several behind each other
+    longest = (h < 0.0).sum(axis=0).max() * (x[1] - x[0])
+    along = int(cells * min((high[0] - low[0]) / longest, MOST_ALONG))
+    counts = (along, max(cells, int((high[1] - low[1]) / FINEST_WIDE))) if cells > COARSE[0] else COARSE
     x, sigma = (a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, counts))
     return replace(solve(x, sigma, curve.at(sigma)[2], lowered.gap(curve, x, sigma)), curve=curve)
 
