@@ -14,8 +14,10 @@ The bodies touch where the pressure p is positive; the equations (H1) ... are th
 
 Pressure is constant on each cell of a grid. Its deflection u is a convolution (Love 1929; Johnson 1985,
 section 3.3), done by fast Fourier transform; the pressures follow by conjugate gradients that keep p >= 0
-(Polonsky and Keer 1999, Wear 231, 206-219). :func:`solve` takes a grid; :func:`solve_contact` finds the patch
-and refines the grid until the answer stands.
+(Polonsky and Keer 1999, Wear 231, 206-219). :func:`solve_contact` takes the gap over a plane as a function,
+finds the patch and refines the grid until the answer stands. :func:`solve_problem` does this for any
+surfaces; those of a wheel and its rail have normals that turn (turning_gap.py), and pressures act on each
+other with the cosine of the angle between them.
 
 Lengths in m, pressures in Pa, forces in N; x along the first axis of every array, s along the second.
 """
