@@ -147,6 +147,8 @@ def test_strips_find_the_same_elastic_equilibrium():
 def test_unloaded_wheels_of_elastic_and_compliant_wheelsets():
     lifted = halfspace(contact_mode="compliant").evaluate(lateral_shift=1e-3, vertical_shift_input=-1e-3)
     assert lifted.status == Status.UNLOADED and lifted.left.area == lifted.right.area == 0.0
+    none = halfspace(contact_mode="elastic").evaluate(lateral_shift=2e-3, normal_force=0.0)
+    assert none.status == Status.UNLOADED and none.right.area == 0.0 and not np.any(none.force)
     one = halfspace(contact_mode="elastic").evaluate(lateral_shift=2e-3, normal_force=5e4, load_transfer=1.0)
     assert one.status == Status.UNLOADED and one.left.normal_force == 0.0
     assert one.right.normal_force == pytest.approx(1e5, rel=1e-6)

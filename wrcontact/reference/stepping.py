@@ -84,7 +84,8 @@ class HalfspaceSolver:
 
     def _solve(self, status):
         """Outputs and status of a step whose geometry the kernel has found."""
-        if self._tables[layout.SET_MODE] == layout.MODE_ELASTIC:
+        if self._tables[layout.SET_MODE] == layout.MODE_ELASTIC and (self._force(0) > 0.0
+                                                                      or self._force(1) > 0.0):
             geometry, wheels, status = self._balanced()
         else:
             geometry = self._geometry
