@@ -11,6 +11,7 @@ from scipy.interpolate import CubicSpline
 import wrcontact
 from tests.helpers.cases import planar_cases
 from tests.helpers.hertz import MODULUS, hertz
+from tests.helpers.mirror import side_signs
 from tests.reference import brute_force, halfspace_reference
 from wrcontact import Status
 from wrcontact.conventions import MIRROR
@@ -124,12 +125,13 @@ def test_the_independent_program_agrees_on_random_poses(system, track, seed):
 
 
 def test_left_is_the_mirror_image(system):
-    """The left wheel at -y, -yaw is the right one at y, yaw: everything but the sign of y_track."""
+    """The left wheel at -y, -yaw is the right one at y, yaw: everything but the signs of y in the track
+    frame, of lateral forces, and of moments about x and z."""
     shift, yaw = 5.1e-3, 0.012
     right = system.evaluate(shift, yaw, 6e4).values[layout.OUT_RIGHT:].copy()
     left = system.evaluate(MIRROR[0] * shift, MIRROR[1] * yaw,
                            6e4).values[layout.OUT_LEFT:layout.OUT_RIGHT].copy()
-    left[layout.SIDE_Y_TRACK] *= -1
+    left *= side_signs()
     np.testing.assert_allclose(left, right, rtol=1e-6, atol=1e-9)
 
 
