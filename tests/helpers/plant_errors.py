@@ -112,11 +112,11 @@ def run_tests(tree, tests, *options):
 
 
 def ordered_tests(first, short):
-    """The test files: those of the room named first, of the kernel's rooms, and all
-    others unless ``short``."""
-    folders = [TESTS / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [TESTS])
-    names = dict.fromkeys(path.relative_to(ROOT).as_posix() for folder in folders
-                          for path in sorted(folder.rglob("test_*.py")))
+    """The test files: those of the room or the file named first, of the kernel's rooms, and all others unless
+    ``short``."""
+    places = [TESTS / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [TESTS])
+    names = dict.fromkeys(path.relative_to(ROOT).as_posix() for place in places
+                          for path in ([place] if place.is_file() else sorted(place.rglob("test_*.py"))))
     return [name for name in names if name not in NO_WITNESS]
 
 

@@ -4,7 +4,7 @@ from collections import namedtuple
 
 from tests.helpers.paths import ROOT
 
-#: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room
+#: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room or the file
 #: ``first`` run before all others. ``module`` is the flat name of the kernel's file, or the path of a
 #: file elsewhere; without it the file is the one of the kernel in which ``old`` occurs.
 Error = namedtuple("Error", "name old new meaning first module", defaults=[""])
@@ -90,13 +90,13 @@ ERRORS = [
           "the width of a patch is the sum of its edges' stations", "interface"),
     Error("drawn_step", "step = float(direction) * region.spacing",
           "step = -float(direction) * region.spacing",
-          "the mean normal of a pressed wheel takes the rail on the other side", "interface", "mean_normal"),
+          "the mean normal of a pressed wheel takes the rail on the other side", "wheelset", "mean_normal"),
     Error("drawn_place", "z_2, slope = height_slope(Profile.at(tables, profile), y_2)",
           "z_2, slope = height_slope(Profile.at(tables, profile), y_1)",
           "the rough curvature takes the height of another node", "surface"),
     Error("drawn_capability", '"canHandleVariableCommunicationStepSize": "true"',
           '"canHandleVariableCommunicationStepSize": "false"', "FMUs of FMI 2 say that their steps are equal",
-          "fmu", "fmu_src/description.py"),
+          "fmu/test_python_description.py", "fmu_src/description.py"),
     Error("drawn_root", "q = sqrt(last)", "q = sqrt(first)",
           "an integral of a root takes both ends for the first", "normal"),
     Error("drawn_depth", "if tables.depth == DEPTH_ALL:",
