@@ -1,12 +1,15 @@
 """Cost of a call, in seconds and in a unit that can be compared between machines: ``np.sqrt`` of 2000
 doubles.
 
-Disturbances only add time, so a cost is the smallest of several rounds.  The unit is measured between them,
-and how much it varied during the run tells how noisy the machine was (:func:`spread`).
+Seconds are those of the processor in this thread, so what other programs take does not count; that they slow
+the memory and the processor does.  Disturbances only add time, so a cost is the smallest of several rounds.
+The unit is measured between them, and how much it varied during the run tells how noisy the machine was
+(:func:`spread`).
 """
 
 import os
 import platform
+import time
 import timeit
 from typing import NamedTuple
 
@@ -15,12 +18,15 @@ import numpy as np
 from wrcontact.kernel.binding.library import default_kernel
 
 UNIT = "`np.sqrt` of 2000 doubles"
+#: Windows counts the processor's time in steps of 16 ms.
+clock = time.perf_counter if os.name == "nt" else time.thread_time
 _VALUES = np.linspace(1.0, 2.0, 2000)
 _units = []  # every measurement of the unit in this process [s]
 
 
 class Cost(NamedTuple):
-    """Cost of one call: smallest time of several rounds, and smallest time of the unit between them [s]."""
+    """Cost of one call: smallest time of the processor in several rounds, and that of the unit between them
+    [s]."""
 
     seconds: float
     unit: float
@@ -40,7 +46,7 @@ class Cost(NamedTuple):
 
 def unit():
     """Seconds of ``np.sqrt`` of 2000 doubles."""
-    found = min(timeit.repeat(lambda: np.sqrt(_VALUES), number=100, repeat=5)) / 100
+    found = min(timeit.repeat(lambda: np.sqrt(_VALUES), timer=clock, number=100, repeat=5)) / 100
     _units.append(found)
     return found
 
@@ -52,7 +58,7 @@ def cost(work, calls, rounds):
     best = None
     for _ in range(rounds):
         one = unit()
-        best = Cost(timeit.timeit(work, number=1) / calls, one).least(best)
+        best = Cost(timeit.timeit(work, timer=clock, number=1) / calls, one).least(best)
     return best
 
 

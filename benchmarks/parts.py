@@ -50,7 +50,8 @@ def measured(name, effort):
     found = part.measure(effort)
     if part.kind != TIMES:
         return found, {}
-    return found, {"machine": machine.machine(), "noise": machine.noise()}
+    return found, {"machine": machine.machine(), "noise": machine.noise(),
+                   "time": "elapsed time" if name == "threads" else "processor time"}
 
 
 def named(words):

@@ -38,9 +38,9 @@ def provenance(parts):
     others = sorted({part["commit"] for name, part in parts.items() if name not in timed})
     said = [f"Errors and counts are those of commit {' and '.join(map(code, others))}."] if others else []
     for part in timed.values():
-        said.append(f"Times are those of commit {code(part['commit'])} on {part['machine']}: the smallest of "
-                    f"several rounds, in turn with other rows. The unit is the time of {UNIT} between them, "
-                    f"{part['noise']}.")
+        said.append(f"Times are those of commit {code(part['commit'])} on {part['machine']}: {part['time']}, "
+                    f"the smallest of several rounds, in turn with other rows. The unit is the time of "
+                    f"{UNIT} between them, {part['noise']}.")
     return " ".join(said)
 
 
@@ -98,7 +98,8 @@ def skip_table(parts):
 
     return grid(["skipped", "units", "full cost", "share", "answer"],
                 [[name, figure(row["units"]), figure(row["full"]),
-                  f"{100 * row['units'] / row['full']:.0f} %", answer(name, row["answer"])] for name, row in parts["skip_times"]["rows"].items()])
+                  f"{100 * row['units'] / row['full']:.0f} %", answer(name, row["answer"])]
+                 for name, row in parts["skip_times"]["rows"].items()])
 
 
 def count_table(parts):
@@ -117,7 +118,7 @@ def thread_table(parts):
                                                            for name, row in parts["threads"]["rows"].items()])
 
 
-# ------------------------------------------------------------------------------------------------ random poses
+# ----------------------------------------------------------------------------------------------- random
 
 
 def tolerance_table(parts):
