@@ -87,7 +87,7 @@ def roll_steps():
 
 
 def manchester():
-    """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [rad], elastic and
+    """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [µrad], elastic and
     rigid, up to NEAR [mm] and beyond."""
     with open(runs.MANCHESTER, newline="", encoding="utf-8") as file:
         shift, yaw, roll, left, right = np.array([[float(row[name]) for name in COLUMNS]
@@ -96,6 +96,6 @@ def manchester():
     for mode in ("elastic", "rigid"):
         table = system(contact_mode=mode).evaluate_many(1e-3 * shift, yaw, (left + right) / 2,
                                                         (right - left) / (left + right))
-        off = np.abs(table.roll - roll)
+        off = 1e6 * np.abs(table.roll - roll)
         rows[mode] = {"near": off[shift <= NEAR].max(), "beyond": off[shift > NEAR].max()}
     return rows

@@ -183,8 +183,8 @@ def benchmark_table(parts):
 
 
 def manchester_table(parts):
-    return grid(["`contact_mode`", f"up to {NEAR} mm of shift [rad]", "beyond [rad]"],
-                [[name, f"{row['near']:.0e}", f"{row['beyond']:.0e}"]
+    return grid(["`contact_mode`", f"up to {NEAR} mm of shift [µrad]", "beyond [µrad]"],
+                [[name, figure(row["near"]), figure(row["beyond"])]
                  for name, row in parts["manchester"]["rows"].items()])
 
 

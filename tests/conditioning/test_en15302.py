@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
+from benchmarks import conicity, store
 from tests.helpers import en15302
 from tests.helpers.cases import MM
 from tests.helpers.en15302 import UNEQUAL, WHEELS
+from tests.helpers.same_numbers import differences
 from wrcontact.conditioning import equivalent_conicity
 
 
@@ -61,3 +63,8 @@ def test_a_shift_that_is_wrong_is_seen():
         found = equivalent_conicity(np.unique(wrong), np.interp(np.unique(wrong), wrong, difference),
                                     reference.amplitude)
         assert not np.all(reference.inside_value(found) | reference.inside_shift(found))
+
+
+def test_the_table_is_that_of_today():
+    """docs/check.md; if this fails: ``python -m benchmarks --write en15302``."""
+    assert differences(store.short(conicity.benchmark()), store.load("en15302")["rows"], absolute=2e-5) == []
