@@ -106,7 +106,7 @@ def test_grids():
     assert [figure(value) for value in (0.04, 9.96, 99.6, 12345.6)] == ["0.0", "10.0", "100", "12,346"]
 
 
-# --- parts and what is kept of them --------------------------------------------------------------------------
+# --- parts and what is kept of them -------------------------------------------------------------------------
 
 
 def test_parts_by_kind_and_by_name():
@@ -176,7 +176,7 @@ def test_each_model_is_nearer_to_the_complete_theory(measured):
     best = [min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
             for kind in ("Hertz", "analyn", "analyn_strip", "halfspace")]
     assert all(before > 1.3 * after for before, after in pairwise(best))
-    assert best[-1] < 0.29                                           # [%] measured 0.226, at a tolerance of 0.1
+    assert best[-1] < 0.29                                       # [%] measured 0.226, at a tolerance of 0.1
 
 
 def test_errors_are_those_of_the_stored_poses():
