@@ -167,8 +167,8 @@ PARTS = {
     "halfspace": Part(STUDIES, halfspace_errors),
     "curvature": Part(STUDIES, lambda effort: curvature_study.study(quick=effort is rows.QUICK)),
     "conicity_noise": Part(STUDIES, lambda effort: conicity.noisy()),
-    "elastic_roll": Part(STUDIES, lambda effort: elastic_study.roll_steps()),
-    "profile_noise": Part(STUDIES, lambda effort: profile_noise.study()),
+    "elastic_roll": Part(STUDIES, lambda effort: elastic_study.roll_steps(quick=effort is rows.QUICK)),
+    "profile_noise": Part(STUDIES, lambda effort: profile_noise.study(quick=effort is rows.QUICK)),
     "source_searches": Part(STUDIES, source_searches),
     "source_figures": Part(STUDIES, source_figures),
 }

@@ -34,8 +34,8 @@ LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
 @pytest.fixture(scope="module")
 def measured():
-    """Rows with their errors and costs."""
-    return [(row, row.errors(), row.cost()) for row in rows.all_rows(LITTLE)]
+    """Rows with their errors and costs; not the half-space's, which take long."""
+    return [(row, row.errors(), row.cost()) for row in rows.all_rows(LITTLE) if row.kind != "halfspace"]
 
 
 def of_kind(measured, kind):
@@ -174,9 +174,10 @@ def test_a_part_is_printed(capsys):
 def test_each_model_is_nearer_to_the_complete_theory(measured):
     """Hertz, ANALYN, strips, half-space: mean errors on the positions [1]."""
     best = [min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
-            for kind in ("Hertz", "analyn", "analyn_strip", "halfspace")]
+            for kind in ("Hertz", "analyn", "analyn_strip")]
+    best.append(min(np.mean(found["positions mean"]) for found in store.load("halfspace")["rows"].values()))
     assert all(before > 1.3 * after for before, after in pairwise(best))
-    assert best[-1] < 0.29                                       # [%] measured 0.226, at a tolerance of 0.1
+    assert best[-1] < 0.12                                                                # [%] measured 0.094
 
 
 def test_errors_are_those_of_the_stored_poses():
