@@ -53,8 +53,9 @@ def unit():
 
 def cost(work, calls, rounds):
     """:class:`Cost` of one of the ``calls`` that ``work()`` makes: the smallest of several ``rounds``, each
-    after a measurement of the unit."""
-    work()  # the first call is slower
+    after a measurement of the unit; of more than one, after a call that does not count."""
+    if rounds > 1:
+        work()  # the first call is slower
     best = None
     for _ in range(rounds):
         one = unit()
