@@ -84,10 +84,13 @@ def test_a_rail_that_is_inclined_twice():
         assert found / 1e6 == pytest.approx(value, rel=2e-3)
 
 
-def test_lateral_force_of_the_models():
-    """force.y [N] at 1 mm of lateral shift."""
-    analyn, strips, halfspace = numbers("docs/method.md", r"force\.y at 1 mm: (-\d+) N, strips (-\d+) N, "
-                                                          r"half-space (-\d+) N")
-    for value, model in ((analyn, "analyn"), (strips, "analyn_strip"), (halfspace, "halfspace")):
-        found = ContactSystem(normal_model=model).evaluate(1e-3).force.y
-        assert found == pytest.approx(value, abs=1.0 if model != "halfspace" else 10.0)
+def test_forces_and_contact_angles_at_1_mm():
+    """The example in conventions.md: what the loads would give along the contact points' normals, and force.y
+    [N]; how far the right patch's centre of load lies from its contact point [mm]."""
+    sides, force = numbers("docs/conventions.md", r"over the wheels is (-\d+) N, and `force\.y` is (-\d+) N")
+    away, = numbers("docs/conventions.md", r"load lies ([\d.]+) mm to the field side")
+    state = ContactSystem().evaluate(1e-3)
+    total = sum(sign * side.normal_force * math.sin(side.contact_angle)
+                for sign, side in ((1, state.left), (-1, state.right)))
+    assert (total, state.force.y) == pytest.approx((sides, force), abs=1.0)
+    assert state.right.patches[0].centroid == pytest.approx(away * MM, abs=0.05 * MM)
