@@ -23,6 +23,7 @@ from .methods import (
     VerticalLoad,
     VerticalSeparation,
 )
+from .methods.numbers import UnusualValueWarning
 from .profiles import Profile, ProfileFile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain
@@ -31,7 +32,7 @@ from .system import ContactSystem
 
 __version__ = "0.1.0"
 __all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status", "Stepper",
-           "WheelsetState", "check", "explain", "Material", "Track", "Wheelset",
+           "UnusualValueWarning", "WheelsetState", "check", "explain", "Material", "Track", "Wheelset",
            "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
            "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
            "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]

@@ -176,6 +176,7 @@ class Patch(_View):
     """One contact patch."""
 
     __slots__ = ()
+    _shown = ("normal_force", "area", "max_pressure", "length", "width", "contact_angle", "y_track")
 
 
 class Outline(_View):

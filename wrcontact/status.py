@@ -14,7 +14,7 @@ class Status(IntEnum):
 
     VALID = layout.VALID
     UNLOADED = layout.UNLOADED            #: a wheel carries no load; geometry valid, its patch empty
-    OFF_PROFILE = layout.OFF_PROFILE      #: contact beyond the profiles; outputs keep the last valid values
+    OFF_PROFILE = layout.OFF_PROFILE      #: contact beyond the profiles; no results
     NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
     INVALID_INPUT = layout.INVALID_INPUT  #: likewise
 
@@ -38,6 +38,8 @@ class Terms:
         return f"{value:g} m"
 
 
+#: The end of sentences on steps that leave the outputs as they are.
+KEPT = "; the outputs keep their last valid values"
 UNITS_BY_NAME = dict(zip(INPUT_NAMES, INPUT_UNITS))
 
 
@@ -47,25 +49,26 @@ def distinct(value, limit):
     return next((text for text in texts if abs(float(text)) != abs(limit) or value == limit), repr(value))
 
 
-def explain(status, inputs, compliant=False, terms=None):
+def explain(status, inputs, compliant=False, terms=None, held=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
     ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says
-    whether the contact mode is compliant, ``terms`` how names and values are written.
+    whether the contact mode is compliant, ``terms`` how names and values are written, ``held`` whether to add
+    that outputs of a failed step keep their values, as those of a stepper and an FMU do.
     """
     if status == Status.VALID:
         return ""
-    kept = "the outputs keep their last valid values"
+    kept = KEPT if held else ""
     said = _Sentence(terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs))))
     if status == Status.INVALID_INPUT:
-        return f"{_invalid_input(said)}; {kept}"
+        return f"{_invalid_input(said)}{kept}"
     if status == Status.UNLOADED:
         return _unloaded(said, compliant)
     if status == Status.OFF_PROFILE:
-        return f"{_off_profile(said, compliant)}; {kept}"
+        return f"{_off_profile(said, compliant)}{kept}"
     pose = ", ".join(f"{said.name(name)} {said.value(name)}"
                      for name in ("lateral_shift", "yaw", "normal_force", "load_transfer"))
-    return f"no solution at {pose} within the iteration limit; {kept}"
+    return f"no solution at {pose} within the iteration limit{kept}"
 
 
 class _Sentence:

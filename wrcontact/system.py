@@ -12,8 +12,8 @@ import threading
 
 import numpy as np
 
-from .interface.calls import describe_inputs, describe_parameters, input_values, wrong_input
-from .interface.parameters import PARAMETERS, checked_parameters
+from .interface.calls import describe_inputs, describe_parameters, input_values, warn_of_inputs, wrong_input
+from .interface.parameters import PARAMETERS, checked_parameters, warn_of_parameters
 from .kernel import layout
 from .kernel.binding.setup import prepare_tables_of
 from .methods import Halfspace
@@ -59,6 +59,7 @@ class ContactSystem:
         groups = {"track": track, "wheelset": wheelset, "material": material}
         given = {"wheel": wheel, "rail": rail, **parameters}
         self.parameters, self.methods = checked_parameters(given, groups)
+        warn_of_parameters(self.parameters, stacklevel=2)
         self.resolution = self.methods["normal_model"].resolution
         smoothing = self.parameters["smoothing"]
         self.wheel = find_profile(wheel, "wheel", smoothing)
@@ -122,13 +123,17 @@ class ContactSystem:
         Returns
         -------
         WheelsetState
-            with its :class:`~wrcontact.status.Status`.  Status 2, 3 and 4 keep the values of the last valid
-            evaluation in this thread; NaN if there was none.
+            with its :class:`~wrcontact.status.Status`.  With status 2, 3 or 4 all values are NaN; only a
+            :class:`Stepper` and an FMU hold those of their last valid step.
+
+        Warns
+        -----
+        UnusualValueWarning
+            if a value is permitted but far outside what is usual: a force of 78500 kN.
         """
         stepper = getattr(self._own, "stepper", None)
         if stepper is None:
             stepper = self._own.stepper = self.stepper()
-            stepper.outputs[:] = math.nan
         stepper.prescribe(penetration)
         stepper.want(side, outputs)
         values = input_values(arguments, inputs)
@@ -136,8 +141,12 @@ class ContactSystem:
             stepper.inputs[:] = values
         except (TypeError, ValueError):
             raise wrong_input(values, array=False) from None
-        status = stepper.step()
-        return WheelsetState(stepper.outputs.copy(), Status(status), stepper.inputs.copy())
+        warn_of_inputs(values, stacklevel=2)
+        status = Status(stepper.step())
+        found = stepper.outputs.copy()
+        if status > Status.UNLOADED:
+            found[:] = math.nan
+        return WheelsetState(found, status, stepper.inputs.copy())
 
     def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
@@ -177,6 +186,7 @@ class ContactSystem:
             raise wrong_input(given, array=True) from None
         if columns[0].ndim != 1:
             raise wrong_input(given, array=True)
+        warn_of_inputs(columns, stacklevel=3)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)

@@ -12,11 +12,10 @@ from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.options import POSE, SYSTEM, option_of
-from wrcontact.cli.report import KEPT, sentence
+from wrcontact.cli.report import sentence
 from wrcontact.kernel import layout
 from wrcontact.methods import CHOICES
 from wrcontact.results.convert import columns_of
-from wrcontact.status import explain
 
 COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "figures")
 
@@ -134,11 +133,11 @@ def test_json_has_null_where_there_is_no_contact(run):
 
 
 def test_sentence_promises_no_kept_values():
-    """A command has no last valid values; the clause is cut off as it stands in wrcontact/status.py."""
+    """A command has no last valid values."""
     for status, inputs in ((2, (0.02, 0, 0, 1, 0, 0, 0)), (3, (0, 0, 0, 1, 0, 0, 0)),
                            (4, (np.nan, 0, 0, 1, 0, 0, 0))):
         for compliant in (False, True):
-            assert sentence(status, inputs, compliant) + KEPT == explain(status, inputs, compliant)
+            assert "keep" not in sentence(status, inputs, compliant)
 
 
 def test_every_input_and_parameter_has_an_option(run):
@@ -278,6 +277,15 @@ def test_wrong_input_is_one_sentence(run, tmp_path, words, told):
     assert err.startswith("wrcontact: ") and err.count("\n") == 1 and "Traceback" not in err
     assert all(word in err for word in told), err
     assert not list(tmp_path.glob("a.*"))
+
+
+def test_a_force_in_wrong_units_is_remarked_once(run):
+    """In the option's name and unit; the result is printed all the same."""
+    for command in ("solve", "sweep --from-mm 0 --to-mm 1"):
+        code, out, err = run(*command.split(), "--normal-force-kn", "78500", "--nominal-radius-mm", "920")
+        assert code == 0 and out and err.splitlines() == [
+            "wrcontact: --nominal-radius-mm is 920 mm; usual is 125 ... 700 mm. It is used as it is.",
+            "wrcontact: --normal-force-kn is 78500 kN; usual is 0 ... 1000 kN. It is used as it is."]
 
 
 def test_a_bug_is_seen(monkeypatch):

@@ -125,9 +125,10 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
 
 @pytest.mark.parametrize("ratio", [0.05, 0.1, 0.3, 0.7, 1.0, 1.5, 5.0, 20.0, 60.0])
 def test_strips_on_constant_curvatures_are_nearly_hertz(ratio):
-    """Within 0.5 %, 2 % and 1 % whatever the load: 24 strips, two sweeps, nothing fitted to Hertz."""
+    """Measured within 0.47, 0.45 and 0.51 % whatever the load: 24 strips, two sweeps, nothing fitted to
+    Hertz."""
     error = solve_constant_curvatures(1.087, 1.087 * ratio, 78.5e3)
-    assert np.all(np.abs(error) < (0.005, 0.02, 0.01)), error
+    assert np.all(np.abs(error) < (0.007, 0.0067, 0.0077)), error
     np.testing.assert_allclose(solve_constant_curvatures(1.087, 1.087 * ratio, 1e-3), error, atol=1e-9)
 
 
@@ -138,7 +139,7 @@ def test_error_falls_with_the_strips(ratio):
     worst = [np.abs(solve_constant_curvatures(1.0, ratio, 1e4, count=count, sweeps=4, half_nodes=30)).max()
              for count in (16, 32, 64)]
     assert worst[1] < 0.75 * worst[0] and worst[2] < 0.75 * worst[1], worst
-    assert worst[2] < 4e-3
+    assert worst[2] < 2.2e-3                         # measured 1.5e-3
 
 
 def test_halves_of_strips_stay_above_half_their_width(monkeypatch):
@@ -224,6 +225,8 @@ def test_yawed_ball_end_to_end(yaw):
     state = {model: body.evaluate(2e-3, yaw, normal_force=2e4) for model, body in bodies.items()}
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
-        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (0.004, 0.01, 0.004)), side
+        # measured 0.01, 0.07, 0.013 % at most; the half-space's area is known to 0.1 %
+        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (2e-4, 1e-3, 2e-4)), side
+        # measured 0.08, 0.26, 0.04 % at most
         assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth))
-                      < (0.004, 0.01, 0.004)), side
+                      < (1.2e-3, 3.9e-3, 6e-4)), side

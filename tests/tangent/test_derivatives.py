@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.mirror import side_signs
 from tools.tangent import tangent_modules
 from tools.transpile_kernel import source_modules
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
@@ -28,7 +29,6 @@ from wrcontact.kernel.layout import (
     OUT_RIGHT,
     OUTPUT_COUNT,
     SIDE_SIZE,
-    SIDE_Y_TRACK,
 )
 
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
@@ -223,8 +223,7 @@ def test_mirror_image(case):
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     left, right = slice(OUT_LEFT, OUT_LEFT + SIDE_SIZE), slice(OUT_RIGHT, OUT_RIGHT + SIDE_SIZE)
     mirror = np.where(np.isin(np.arange(INPUT_COUNT), (IN_NORMAL_FORCE, IN_VERTICAL_SHIFT)), 1.0, -1.0)
-    sign = np.ones(SIDE_SIZE)
-    sign[SIDE_Y_TRACK] = -1.0
+    sign = side_signs()
     for row in poses(4, seed=5):
         for number in INPUTS:
             here, there = derivative(stepper, row, number)[1], derivative(stepper, row * mirror, number)[1]

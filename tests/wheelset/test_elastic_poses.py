@@ -229,7 +229,7 @@ def test_bad_heights_and_rolls_are_told_and_forgotten():
             state = pair.evaluate(**{**good, name: value})
             assert state.status == wrcontact.Status.INVALID_INPUT
             assert name in explain(state.status, state.inputs)
-            np.testing.assert_array_equal(state.values, first.values)
+            assert np.isnan(state.values).all()
     for change in (dict(roll_input=0.5), dict(vertical_shift_input=5e-3)):
         assert pair.evaluate(**{**good, **change}).status == wrcontact.Status.OFF_PROFILE
     np.testing.assert_array_equal(pair.evaluate(**good).values, first.values)

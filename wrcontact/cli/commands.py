@@ -18,7 +18,7 @@ from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
 from .profile_files import reads_files
 from .report import SWEEP_OUTPUTS, Remark, is_compliant, print_state, print_sweep, sentence, state_text
 from .tables import writes_tables
-from .terms import Typed, typed
+from .terms import Typed, remark_words, typed
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
@@ -55,6 +55,7 @@ def welcome(context: typer.Context,
     # no docstring: typer would show it instead of the help above
     if context.invoked_subcommand is None:
         print(context.get_help())
+    context.with_resource(remarks_in_lines("wrcontact", remark_words))
 
 
 @main.command()
@@ -100,7 +101,7 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
 
     if platforms and not native:
         raise Refused("--platforms is given; it is permitted only with --native")
-    with sentences(typed, code=1), remarks_in_lines("wrcontact"), working("building the FMU"):
+    with sentences(typed, code=1), working("building the FMU"):
         paths = built(native, platforms, output=output, wheel=wheel, rail=rail,
                       smoothing=None if smoothing is None else smoothing / 1e6)
     print(*paths, sep="\n")
@@ -266,9 +267,8 @@ def _refuse_no_picture(output):
 
 
 def _system(parameters, smoothing):
-    """The contact system with these parameters; repairs of profile files are reported in one line per
-    file."""
-    with sentences(typed), remarks_in_lines("wrcontact"):
+    """The contact system with these parameters."""
+    with sentences(typed):
         return ContactSystem(**parameters, smoothing=None if smoothing is None else smoothing / 1e6)
 
 

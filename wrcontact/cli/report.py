@@ -17,9 +17,6 @@ from ..results.words import shown, unit_name
 from ..status import Status, explain
 from .terms import SWEEP, Typed
 
-#: The end of some sentences of :func:`~wrcontact.status.explain`; it does not apply to a single evaluation.
-KEPT = "; the outputs keep their last valid values"
-
 VECTOR_AXES = ("x", "y", "z")
 SIDE_ROWS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
 PATCH_ROWS = list(single_numbers(PATCH))
@@ -30,7 +27,7 @@ SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("press
 def sentence(status, inputs, compliant=False, terms=None):
     """One sentence on a status at these seven inputs, in :class:`~wrcontact.status.Terms`; "" for status
     0."""
-    return explain(status, inputs, compliant, terms).removesuffix(KEPT)
+    return explain(status, inputs, compliant, terms)
 
 
 def is_compliant(system):

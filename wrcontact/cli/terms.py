@@ -5,6 +5,7 @@ import re
 from ..interface.parameters import PARAMETERS
 from ..interface.units import UNITS
 from ..interface.variables import INPUT, VARIABLES
+from ..methods.numbers import UnusualValueWarning
 from ..status import Terms, distinct
 from .options import option_of
 
@@ -42,3 +43,14 @@ def typed(sentence):
         if keyword in PARAMETERS:
             sentence = re.sub(rf"{first}{keyword}\b(?= is |[^\w'-]|$)", option, sentence)
     return sentence
+
+
+def remark_words(remark):
+    """The text of a warning, with options and display units in place of keywords and SI."""
+    if not isinstance(remark, UnusualValueWarning):
+        return str(remark)
+    unit = UNITS[remark.unit]
+    value, low, high = (f"{number * unit.display_factor:g}" for number in (remark.value, *remark.usual))
+    behind = f" {unit.display}" if unit.display else ""
+    option = OPTIONS.get(remark.name) or option_of(INPUTS[remark.name])
+    return f"{option} is {value}{behind}; usual is {low} ... {high}{behind}. It is used as it is."

@@ -4,7 +4,7 @@ from inspect import Parameter, Signature, signature
 
 import numpy as np
 
-from ..methods.numbers import unit_behind
+from ..methods.numbers import unit_behind, warn_unusual
 from .inputs import INPUTS
 from .parameters import GROUPS, PARAMETERS
 
@@ -12,6 +12,8 @@ from .parameters import GROUPS, PARAMETERS
 POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
 PLACES = {row.name: place for place, row in enumerate(INPUTS)}
 STARTS = [row.start for row in INPUTS]
+#: Inputs with a usual range, with their places.
+USUAL = [(place, row) for place, row in enumerate(INPUTS) if row.usual is not None]
 
 
 def input_values(arguments, keywords):
@@ -31,6 +33,16 @@ def input_values(arguments, keywords):
             f"{len(arguments)} inputs have no name; permitted are {names}, each once, and others by name"
         )
     return values
+
+
+def warn_of_inputs(values, stacklevel):
+    """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
+    whose largest number is above its usual range."""
+    for place, row in USUAL:
+        value = values[place]
+        if isinstance(value, np.ndarray) and value.ndim:
+            value = np.max(value, initial=row.usual[0], where=np.isfinite(value))
+        warn_unusual(row.name, max(value, row.usual[0]), row.unit, row.usual, stacklevel + 1)
 
 
 def wrong_input(values, array):

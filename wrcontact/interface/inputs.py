@@ -20,7 +20,7 @@ INPUTS = (
           "step, never its answer", -0.5, 0.5, hint=True),
     Input("normal_force", "N", 1e5, "Load per wheel before load transfer: normal force, total over its "
           "patches, or its vertical component (parameter load); the contact_mode compliant does not read it",
-          0.0, 1e7, start=78500.0, positional=True),
+          0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
     Input("load_transfer", "1", 0.1, "Share L of the load N moved from left to right: N (1 + L) on the right "
           "wheel, N (1 - L) on the left; the contact_mode compliant does not read it",
           -1.0, 1.0, positional=True),

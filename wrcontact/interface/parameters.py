@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from ..methods import FAMILIES
 from ..methods.choices import check_choice
-from ..methods.numbers import Checked, Number, frozen, number, unit_behind
+from ..methods.numbers import Checked, Number, frozen, number, unit_behind, warn_unusual
 from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 
 
@@ -42,14 +42,16 @@ class Wheelset(Checked):
     running_circle_distance: float = number(
         1.5, 0.5, 2.5, "m", "Distance between the running circles of the two wheels", nominal=1.0
     )
-    nominal_radius: float = number(0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5)
+    nominal_radius: float = number(0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5,
+                                   usual=(0.125, 0.7))
 
 
 @frozen
 class Material(Checked):
     """Wheel and rail, which are of one material: ``youngs_modulus`` [Pa], ``poisson_ratio`` [1]."""
 
-    youngs_modulus: float = number(210e9, 1e6, 1e13, "Pa", "Young's modulus of wheel and rail", nominal=1e11)
+    youngs_modulus: float = number(210e9, 1e6, 1e13, "Pa", "Young's modulus of wheel and rail", nominal=1e11,
+                                   usual=(1e9, 1e12))
     poisson_ratio: float = number(0.28, 0.0, 0.499, "1", "Poisson's ratio of wheel and rail", nominal=0.3)
 
 
@@ -217,6 +219,14 @@ def checked_parameters(given, groups):
             _take(method, given, family.parameter)
     parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
     return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+
+
+def warn_of_parameters(parameters, stacklevel):
+    """Give an UnusualValueWarning for every number of ``parameters`` outside its usual range."""
+    for name, value in parameters.items():
+        known = PARAMETERS[name].number
+        if known is not None and value is not None:
+            warn_unusual(name, value, known.unit, known.usual, stacklevel + 1)
 
 
 def _take(record, given, argument):

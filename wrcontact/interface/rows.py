@@ -46,12 +46,14 @@ class Input(Row):
     """What moves.
 
     ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
-    :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.
+    :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.  Outside ``usual`` =
+    (low, high) a value is rather a typing error.
     """
 
     start: float = 0.0
     hint: bool = False
     positional: bool = False
+    usual: tuple | None = None
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,36 @@ ValueError: gauge is 1435; permitted is 0.5 ... 2 m
 """
 
 import math
+import warnings
 from dataclasses import dataclass, field, fields
 from numbers import Real
+
+
+class UnusualValueWarning(UserWarning):
+    """A value is permitted but lies outside the usual range, as after an error in typing or units.
+
+    Attributes
+    ----------
+    name, value, unit : of the parameter or input.
+    usual : (low, high), ends included.
+    """
+
+    def __init__(self, name, value, unit, usual):
+        super().__init__(name, value, unit, usual)
+        self.name, self.value, self.unit, self.usual = name, value, unit, usual
+
+    def __str__(self):
+        low, high = self.usual
+        return (f"{self.name} is {self.value:g}{unit_behind(self.unit)}; usual is {low:g} ... {high:g}"
+                f"{unit_behind(self.unit)}. It is used as it is.")
+
+
+def warn_unusual(name, value, unit, usual, stacklevel):
+    """Give an :class:`UnusualValueWarning` where the finite ``value`` lies outside ``usual``, which may be
+    None."""
+    if usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]:
+        warnings.warn(UnusualValueWarning(name, value, unit, usual), stacklevel=stacklevel + 1)
+
 
 #: Every record of numbers is a dataclass of this kind.
 frozen = dataclass(frozen=True, kw_only=True, repr=False)
@@ -33,6 +61,8 @@ class Number:
     whole : whether it is a whole number.
     start : default where None cannot be said.
     python_only : an FMU and the command line do not have it.
+    usual : (low, high) outside which a value is permitted but rather a typing error; see
+        :class:`UnusualValueWarning`.
     """
 
     default: float | int | None
@@ -45,6 +75,7 @@ class Number:
     whole: bool = False
     start: float | None = None
     python_only: bool = False
+    usual: tuple | None = None
 
     def checked(self, name, value, context=""):
         """``value`` as a float or int within the range; None where that is the default.

@@ -4,6 +4,8 @@ import sys
 import warnings
 from contextlib import contextmanager
 
+from ..methods.numbers import UnusualValueWarning
+
 
 class ProfileWarning(UserWarning):
     """A profile file was repaired before it was used; the message says what was done, where and by how
@@ -21,20 +23,22 @@ def remark(kind, name, remarks):
 
 
 @contextmanager
-def remarks_in_lines(prefix):
-    """Inside this context, each different ProfileWarning is printed once, as one line "prefix: message" on
-    the error stream."""
+def remarks_in_lines(prefix, words=str):
+    """Inside this context, each different ProfileWarning or UnusualValueWarning is printed once, as one line
+    "prefix: message" on the error stream; ``words(warning)`` is the message."""
+    categories = (ProfileWarning, UnusualValueWarning)
     with warnings.catch_warnings():
         show, said = warnings.showwarning, set()
 
         def say(message, category, *where, **more):
-            if not issubclass(category, ProfileWarning):
+            if not issubclass(category, categories):
                 show(message, category, *where, **more)
-            elif str(message) not in said:
-                said.add(str(message))
-                print(f"{prefix}: {' '.join(str(message).split())}", file=sys.stderr)
+            elif words(message) not in said:
+                said.add(words(message))
+                print(f"{prefix}: {' '.join(words(message).split())}", file=sys.stderr)
 
-        warnings.simplefilter("always", ProfileWarning)
+        for category in categories:
+            warnings.simplefilter("always", category)
         warnings.showwarning = say
         yield
 

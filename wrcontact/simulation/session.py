@@ -239,7 +239,7 @@ class Session:
 
     def _tell(self):
         self.tell(outcomes.explain(self.status, self._values[:INPUTS],
-                                   self.parameters["contact_mode"] == "compliant"))
+                                   self.parameters["contact_mode"] == "compliant", held=True))
         self._told = True
 
     # --- saved states ----------------------------------------------------------------------------
