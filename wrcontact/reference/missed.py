@@ -49,8 +49,7 @@ def far_deflection(problem, found, x, s):
     rows, columns = np.nonzero(found.pressure)
     forces = found.pressure[rows, columns]
     width, depth = (max(1, math.ceil((k.max() - k.min() + 1) / LOOK_LUMPS)) for k in (rows, columns))
-    _, lump = np.unique(np.stack([rows // width, columns // depth]), axis=1, return_inverse=True)
-    lump = lump.ravel()
+    _, lump = np.unique(rows // width * found.pressure.shape[1] + columns // depth, return_inverse=True)
     weight = np.bincount(lump, forces)
     x_lump, s_lump, angle = (np.bincount(lump, forces * k) / weight
                              for k in (found.x[rows], found.s[columns], found.angle[columns]))
