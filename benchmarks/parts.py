@@ -16,6 +16,7 @@ from wrcontact.study.figure import Study
 
 from . import (
     choices,
+    conformal,
     conicity,
     counts,
     curvature_study,
@@ -165,6 +166,7 @@ PARTS = {
     "station_times": Part(TIMES, lambda effort: timed(stations.times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
     "derivative_times": Part(TIMES, lambda effort: timed(tangents.times(effort))),
+    "conformal": Part(STUDIES, lambda effort: conformal.measured(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),
     "curvature": Part(STUDIES, lambda effort: curvature_study.study(quick=effort is rows.QUICK)),
     "conicity_noise": Part(STUDIES, lambda effort: conicity.noisy()),

@@ -4,7 +4,7 @@ commit they are and how they were measured."""
 from collections.abc import Callable
 from typing import NamedTuple
 
-from . import conicity, rows
+from . import conformal, conicity, rows
 from .counts import COUNTS, FULL_RASTER
 from .elastic_study import MODES, NEAR
 from .machine import UNIT
@@ -257,6 +257,7 @@ def figure_table(parts):
 
 README, BENCHMARKS, METHOD = "README.md", "docs/benchmarks.md", "docs/method.md"
 CHECK, FMU, STUDY = "docs/check.md", "docs/fmu.md", "docs/source_study.md"
+CONFORMAL = "docs/conformal.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {TRIPLE}."
 
@@ -274,6 +275,8 @@ TABLES = {
     "manchester": Table(METHOD, ("manchester",), manchester_table),
     "elastic": Table(METHOD, ("elastic_times",), elastic_table),
     "trials": Table(METHOD, ("elastic_trials",), trial_table),
+    "poses": Table(CONFORMAL, ("conformal",), conformal.pose_table),
+    "contact": Table(CONFORMAL, ("conformal",), conformal.contact_table),
     "roll": Table(METHOD, ("elastic_roll",), roll_table),
     "derivatives": Table(METHOD, ("derivative_times",), derivative_table),
     "conicity": Table(CHECK, ("conicity", "conicity_noise"), conicity_table,
