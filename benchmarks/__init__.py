@@ -1,1 +1,1 @@
-"""Run time and error; ``python -m benchmarks --readme`` prints the table in the README."""
+"""Run time and error; ``python -m benchmarks --write`` writes the tables of README and docs."""

@@ -15,6 +15,7 @@ COUNTS = {  # per wheelset; a scan searches one side at one roll for a smaller g
     "force solves": layout.STATE_SOLVE_COUNT,
     "strip systems": layout.STATE_STRIP_COUNT,
 }
+FULL_RASTER = "full raster: gap evaluations"  # without the bounds of the search
 ROOT, FLANGE = 4.848e-3, 6.252e-3  # [m] where the contact jumps without yaw
 
 
@@ -50,12 +51,10 @@ def raster():
 
 
 def table(count):
-    """Header and rows."""
-    header = ["per wheelset", "full raster: gap evaluations", *COUNTS]
-    rows = []
+    """Rows by model and class of poses: gap evaluations without bounds, and each of COUNTS."""
+    rows = {}
     for model in ("analyn", "analyn_strip"):
         for name, poses in classes(count).items():
-            found = per_wheelset(model, poses)
-            rows.append([f"{model}, {name}", f"{raster() * found[1]:.0f}",
-                         *(f"{value:.1f}" for value in found)])
-    return header, rows
+            found = dict(zip(COUNTS, per_wheelset(model, poses)))
+            rows[f"{model}, {name}"] = {FULL_RASTER: raster() * found["scans"], **found}
+    return rows

@@ -1,9 +1,9 @@
-"""Which lateral curvature?  ANALYN with different ones compared with the half-space, as a Markdown table and
-a picture.
+"""Which lateral curvature?  ANALYN with different ones compared with the half-space, and a picture.
 
     python -m benchmarks.curvature_study [--quick] [--picture FILE]
+    python -m benchmarks --write curvature        the table of docs/method.md
 
-What was found is in docs/method.md, "What lateral curvature?"; cases are in curvature_cases.py, the model
+What was found is in docs/method.md, section 8; cases are in curvature_cases.py, the model
 that takes any curvature in curvature_model.py.  A curvature is a function of a measured region that returns B
 [1/m] at its stations: in 1 + beta (where the patch ends), in 1 + alpha (how long it is) and in n r (what it
 carries).
@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from wrcontact.plots import style
+from wrcontact.progress import tracked, working
 
 from . import curvature_cases
 from .curvature_cases import MM, NOISE, noisy_cases, position_cases, random_cases
@@ -24,6 +25,7 @@ from .curvature_model import FLOOR, Model
 
 PICTURE = Path("out") / "curvature_study.png"
 QUICK_NOISE = NOISE[2:3]
+CASES = "cases"  # the row on them
 
 
 # ----------------------------------------------------------------------------------------- kinds of curvature
@@ -179,44 +181,44 @@ def errors(model, cases):
     return np.array([100 * (np.array(model.solve(case)[0]) / case.truth - 1) for case in cases])
 
 
-def figures(values):
-    return " / ".join(f"{value:.1f}" for value in values)
-
-
-def summary(error, worst=np.max):
-    return f"{figures(np.abs(error).mean(axis=0))} | {figures(worst(np.abs(error), axis=0))}"
+def mean_and(worst, error):
+    """Mean and another summary of the sizes of errors [%] (cases, 3)."""
+    return np.abs(error).mean(axis=0), worst(np.abs(error), axis=0)
 
 
 def percentile(values, axis):
     return np.percentile(values, 95, axis=axis)
 
 
-def table_row(name, model, positions, random, noisy):
-    noise = errors(model, noisy)
-    lift = np.array([case.truth / case.noiseless for case in noisy])
-    clean = np.abs(100 * ((1 + noise / 100) * lift - 1))
-    return (f"| {name} | {summary(errors(model, positions))} | {summary(errors(model, random))} | "
-            f"{summary(noise, percentile)} | {figures(clean.mean(axis=0))} |")
+def study(quick=False):
+    """Rows by lateral curvature: mean and worst errors [%] of each kind of cases; and one row on the
+    cases."""
+    with working("half-space of the curvature study", 3) as advance:
+        positions = position_cases()
+        advance()
+        random = random_cases(12 if quick else 120)
+        advance()
+        noisy = noisy_cases(noise=QUICK_NOISE, seeds=1) if quick else noisy_cases()
+        advance()
+    rows = {}
+    for name, model in tracked(SCHEMES.items(), "lateral curvatures", len(SCHEMES)):
+        place, drawn, noise = (errors(model, cases) for cases in (positions, random, noisy))
+        lift = np.array([case.truth / case.noiseless for case in noisy])
+        clean = np.abs(100 * ((1 + noise / 100) * lift - 1))
+        rows[name] = {"positions": mean_and(np.max, place), "random": mean_and(np.max, drawn),
+                      "noisy": mean_and(percentile, noise), "clean": clean.mean(axis=0)}
+    moved = np.array([case.truth / case.noiseless - 1 for case in noisy])
+    rows[CASES] = {"count": (len(positions), len(random), len(noisy)),
+                   "moved": 100 * np.abs(moved).mean(axis=0)}
+    return rows
 
 
 def main(quick=False, picture=PICTURE):
-    positions = position_cases()
-    random = random_cases(12 if quick else 120)
-    noisy = noisy_cases(noise=QUICK_NOISE, seeds=1) if quick else noisy_cases()
-    print("Errors in % of penetration / area / peak pressure.\n")
-    print("| lateral curvature | positions: mean | worst | random: mean | worst | noisy, as read: mean | 95 "
-          "% "
-          "| noisy, against no noise: mean |")
-    print("|---|---|---|---|---|---|---|---|")
-    for name, model in SCHEMES.items():
-        print(table_row(name, model, positions, random, noisy), flush=True)
-    read = np.array([case.truth / case.noiseless for case in noisy])
-    print(f"\n{len(positions)} positions, {len(random)} random and {len(noisy)} noisy cases.  The noise "
-          f"itself moves the "
-          f"half-space's answer by {figures(100 * np.abs(read - 1).mean(axis=0))} % in the mean.")
-    if picture:
-        Path(picture).parent.mkdir(parents=True, exist_ok=True)
-        print(f"picture: {style.save(draw(positions), picture)}")
+    """Print the study and draw its picture."""
+    for name, row in study(quick).items():
+        print(name, *(np.round(values, 1).tolist() for values in row.values()))
+    Path(picture).parent.mkdir(parents=True, exist_ok=True)
+    print(f"picture: {style.save(draw(position_cases()), picture)}")
 
 
 # ------------------------------------------------------------------------------------------------ the picture

@@ -1,24 +1,27 @@
-"""What elastic equilibrium costs and how it moves: time and trials of a step, and the largest step of the
-roll.
+"""What elastic equilibrium costs and how it moves: time and trials of a step, the largest step of the roll,
+and published rolls (docs/method.md, section 11).
 
-``python -m benchmarks.elastic_study``, some 20 s.  A step costs the smallest of five runs over a sine of 5 mm
-and 0.3 deg, in microseconds and in ``np.sqrt`` of 2000 doubles; trials are those of random poses and include
-the rigid search's.
+A step is one of a sine of 5 mm and 0.3 deg; trials are those of random poses and include the rigid search's.
 """
 
+import csv
+import itertools
 import math
 
 import numpy as np
 
-import wrcontact
 from wrcontact.kernel import layout
+from wrcontact.progress import tracked
 
-from .machine import cost, description
-from .table import markdown
+from . import runs
+from .machine import cost
+from .rows import system
 
 FORCE = 78.5e3   # per wheel [N]
-STEPS, POSES, ROUNDS = 1000, 2000, 5
-MODELS = ("analyn", "analyn_strip", "hertz")
+STEPS, POSES = 1000, 500
+MODELS, MODES = ("hertz", "analyn", "analyn_strip"), ("rigid", "compliant", "elastic")
+NEAR = 6.5  # [mm] flange contact begins
+COLUMNS = ("lateral_shift_mm", "yaw_rad", "roll_rad", "normal_force_left_N", "normal_force_right_N")
 
 
 def sine():
@@ -27,19 +30,25 @@ def sine():
     return 5e-3 * np.sin(phase), 5e-3 * np.cos(phase)
 
 
-def step_cost(**parameters):
-    """:class:`~benchmarks.machine.Cost` of a step of the sine; the compliant form's at the elastic stands."""
+def times(effort):
+    """By model and contact mode: :class:`~benchmarks.machine.Cost` of a step of the sine; the compliant
+    form's at the elastic positions."""
     shift, yaw = sine()
-    stand = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
-    pair = wrcontact.ContactSystem(**parameters)
+    stand = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     given = dict(vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
-    return cost(lambda: pair.evaluate_many(shift, yaw, FORCE, **given), STEPS, ROUNDS)
+    best = {}
+    for _ in range(effort.passes):
+        for case in itertools.product(MODELS, MODES):
+            pair = system(normal_model=case[0], contact_mode=case[1])
+            found = cost(lambda: pair.evaluate_many(shift, yaw, FORCE, **given), STEPS, effort.rounds)
+            best[case] = found.least(best.get(case))
+    return {model: {mode: best[model, mode] for mode in MODES} for model in MODELS}
 
 
 def trials(model, load):
     """Trials of each of POSES random poses, up to 8 mm and 0.03 rad, 1 ... 150 kN."""
     rng = np.random.default_rng(4)
-    stepper = wrcontact.ContactSystem(contact_mode="elastic", normal_model=model, load=load).stepper()
+    stepper = system(contact_mode="elastic", normal_model=model, load=load).stepper()
     found = []
     for shift, yaw, force in rng.uniform((-8e-3, -0.03, 1e3), (8e-3, 0.03, 150e3), (POSES, 3)):
         stepper.inputs[[0, 1, 3]] = shift, yaw, force
@@ -52,32 +61,41 @@ def trials(model, load):
 def largest_roll_step(yaw, step=1e-6):
     """Largest step of the roll [rad] from -8 to 8 mm, and where [mm]."""
     shift = np.arange(-8e-3, 8e-3, step)
-    table = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
+    table = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     steps = np.abs(np.diff(table.roll))
     return steps.max(), 1e3 * shift[np.argmax(steps)]
 
 
-def main():
-    rows = []
-    for model in MODELS:
-        costs = [step_cost(contact_mode=mode, normal_model=model)
-                 for mode in ("rigid", "compliant", "elastic")]
-        rows.append([model, *(f"{each.microseconds:.0f} / {each.units:.0f}" for each in costs)])
-    print(markdown("Cost of a step", ["µs / units", "rigid", "compliant", "elastic"], rows))
-    rows = []
+def all_trials():
+    """By model and load: mean, 99 % and largest number of trials."""
+    rows = {}
     for model in MODELS:
         for load in ("normal", "vertical"):
             count = trials(model, load)
-            rows.append([f"{model}, {load}", f"{count.mean():.1f}", f"{np.percentile(count, 99):.0f}",
-                         f"{count.max():.0f}"])
-    print(markdown("Trials of a pose", ["", "mean", "99 %", "most"], rows))
-    rows = []
-    for degrees in (0, 1, 2):
-        largest, shift = largest_roll_step(math.radians(degrees))
-        rows.append([f"{degrees}°", f"{1e6 * largest:.1f}", f"{shift:.3f}"])
-    print(markdown("Steps of the roll in 1 µm", ["yaw", "largest [µrad]", "at [mm]"], rows))
-    print(description())
+            rows[f"{model}, load {load}"] = {"mean": count.mean(), "99 %": np.percentile(count, 99),
+                                             "most": count.max()}
+    return rows
 
 
-if __name__ == "__main__":
-    main()
+def roll_steps(quick=False):
+    """By yaw: largest change of the roll [µrad] in 1 µm of lateral shift, and where [mm]."""
+    rows = {}
+    for degrees in tracked((0, 1, 2), "rolls of the elastic wheelset"):
+        largest, shift = largest_roll_step(math.radians(degrees), 1e-4 if quick else 1e-6)
+        rows[f"{degrees}°"] = {"step": 1e6 * largest, "at": shift}
+    return rows
+
+
+def manchester():
+    """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [µrad], elastic and
+    rigid, up to NEAR [mm] and beyond."""
+    with open(runs.MANCHESTER, newline="", encoding="utf-8") as file:
+        shift, yaw, roll, left, right = np.array([[float(row[name]) for name in COLUMNS]
+                                                  for row in csv.DictReader(file)]).T
+    rows = {}
+    for mode in ("elastic", "rigid"):
+        table = system(contact_mode=mode).evaluate_many(1e-3 * shift, yaw, (left + right) / 2,
+                                                        (right - left) / (left + right))
+        off = 1e6 * np.abs(table.roll - roll)
+        rows[mode] = {"near": off[shift <= NEAR].max(), "beyond": off[shift > NEAR].max()}
+    return rows

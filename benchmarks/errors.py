@@ -59,12 +59,16 @@ def summary(shares):
     return Errors(size.mean(axis=1), size.max(axis=1), size.shape[1])
 
 
+def percentages(positions, hunting):
+    """Both :class:`Errors` as they are kept [%]."""
+    return {"positions mean": 100 * positions.mean, "positions worst": 100 * positions.worst,
+            "hunting mean": 100 * hunting.mean, "hunting worst": 100 * hunting.worst}
+
+
 def rigid(system):
-    """Largest errors of the rigid contact in the hunting run, as text: roll [rad] and contact position
-    [mm]."""
+    """Largest errors of the rigid contact in the hunting run: roll [rad] and contact position [mm]."""
     run = runs.stored(runs.HUNTING)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
-    roll = np.max(np.abs(table.roll - run["roll"]))
     place = max(np.max(np.abs(getattr(getattr(table, side).contact, name) - run[f"{side}.contact.{name}"]))
                 for side in SIDES for name in PLACE)
-    return f"roll {roll:.0e} rad, position {place * 1e3:.0e} mm"
+    return {"roll": np.max(np.abs(table.roll - run["roll"])), "position": place * 1e3}

@@ -11,6 +11,7 @@ that fmpy and PythonFMU need to pass the values.
 import sys
 import tempfile
 import time
+from pathlib import Path
 from shutil import rmtree
 from statistics import median
 
@@ -59,16 +60,15 @@ def report(unpacked):
     fmu.slave.freeInstance()
 
 
-def whole_step(folder, rounds):
-    """Seconds and units of a step of a freshly built FMU, each the smallest of ``rounds``."""
-    unpacked = extract(built(folder))
-    try:
-        fmu = Instance(unpacked)
-        found = [(cost(fmu.step_over(moving_inputs()), rounds=1), unit()) for _ in range(rounds)]
-        fmu.slave.freeInstance()
-    finally:
-        rmtree(unpacked, ignore_errors=True)
-    return min(seconds for seconds, _ in found), min(seconds / one for seconds, one in found)
+def steps(folder):
+    """A function that makes STEPS steps of an FMU, which is built and unpacked in ``folder``."""
+    step = Instance(extract(built(folder), str(Path(folder, "unpacked")))).step_over(moving_inputs())
+
+    def work():
+        for _ in range(STEPS):
+            step()
+
+    return work
 
 
 class Instance:

@@ -8,7 +8,7 @@ import numpy as np
 from wrcontact.kernel import layout
 
 from . import runs
-from .machine import cost
+from .machine import cost, unit
 from .rows import batch, system
 
 NUMBERS = (1, 10, 100, 1000, 10_000)
@@ -35,6 +35,7 @@ def threads(number, rounds, counts=THREADS):
     steppers = [batch_of(number, seed) for seed in range(max(counts))]
     best = {}
     for _ in range(rounds):
+        unit()
         for count in counts:
             with ThreadPoolExecutor(count) as pool:
                 list(pool.map(lambda work: None, range(count)))  # start the threads before timing

@@ -1,8 +1,15 @@
 """Cost of a call, in seconds and in a unit that can be compared between machines: ``np.sqrt`` of 2000
-doubles."""
+doubles.
+
+Seconds are those of the processor in this thread, so what other programs take does not count; that they slow
+the memory and the processor does.  Disturbances only add time, so a cost is the smallest of several rounds.
+The unit is measured between them, and how much it varied during the run tells how noisy the machine was
+(:func:`spread`).
+"""
 
 import os
 import platform
+import time
 import timeit
 from typing import NamedTuple
 
@@ -10,37 +17,62 @@ import numpy as np
 
 from wrcontact.kernel.binding.library import default_kernel
 
+UNIT = "`np.sqrt` of 2000 doubles"
+#: Windows counts the processor's time in steps of 16 ms.
+clock = time.perf_counter if os.name == "nt" else time.thread_time
 _VALUES = np.linspace(1.0, 2.0, 2000)
+_units = []  # every measurement of the unit in this process [s]
 
 
 class Cost(NamedTuple):
-    """Cost of one call."""
+    """Cost of one call: smallest time of the processor in several rounds, and that of the unit between them
+    [s]."""
 
     seconds: float
-    units: float
+    unit: float
 
     @property
     def microseconds(self):
         return 1e6 * self.seconds
 
+    @property
+    def units(self):
+        return self.seconds / self.unit
+
     def least(self, other):
         """The smaller of each; ``other`` may be None."""
-        return Cost(min(self.seconds, other.seconds), min(self.units, other.units)) if other else self
+        return Cost(min(self.seconds, other.seconds), min(self.unit, other.unit)) if other else self
 
 
 def unit():
     """Seconds of ``np.sqrt`` of 2000 doubles."""
-    return min(timeit.repeat(lambda: np.sqrt(_VALUES), number=300, repeat=5)) / 300
+    found = min(timeit.repeat(lambda: np.sqrt(_VALUES), timer=clock, number=100, repeat=5)) / 100
+    _units.append(found)
+    return found
 
 
 def cost(work, calls, rounds):
-    """:class:`Cost` of one of the ``calls`` that ``work()`` makes: the smallest of several ``rounds``.
+    """:class:`Cost` of one of the ``calls`` that ``work()`` makes: the smallest of several ``rounds``, each
+    after a measurement of the unit; of more than one, after a call that does not count."""
+    if rounds > 1:
+        work()  # the first call is slower
+    best = None
+    for _ in range(rounds):
+        one = unit()
+        best = Cost(timeit.timeit(work, timer=clock, number=1) / calls, one).least(best)
+    return best
 
-    The unit is measured alternately with the work, so that a busy machine slows both.
-    """
-    work()  # the first call is slower
-    found = [(timeit.timeit(work, number=1) / calls, unit()) for _ in range(rounds)]
-    return Cost(min(seconds for seconds, _ in found), min(seconds / one for seconds, one in found))
+
+def restart():
+    """Forget the measurements of the unit so far."""
+    _units.clear()
+
+
+def spread():
+    """The unit since :func:`restart`: number of measurements, smallest, median and 95 % [s]."""
+    if not _units:
+        unit()
+    return len(_units), min(_units), float(np.median(_units)), float(np.percentile(_units, 95))
 
 
 def load_average():
@@ -48,10 +80,25 @@ def load_average():
     return os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
 
 
-def description():
-    """One line on the machine, for below a table."""
+def machine():
+    """Cores, processor and programs, in words."""
     kernel = "compiled" if default_kernel().compiled else "UNCOMPILED"
     return (f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy "
-            f"{np.__version__}, "
-            f"kernel {kernel}, load average {load_average():.1f}; the unit, np.sqrt of 2000 doubles, "
-            f"{unit() * 1e6:.2f} µs")
+            f"{np.__version__}, kernel {kernel}")
+
+
+def noise():
+    """How fast and how quiet the machine was since :func:`restart`, in words."""
+    count, least, median, high = spread()
+    return (f"{1e6 * least:.2f} µs at best, {percentage(median / least)} more in the median and "
+            f"{percentage(high / least)} more at the 95th percentile of {count} measurements between the "
+            f"rounds; load average {load_average():.1f}")
+
+
+def percentage(ratio):
+    return f"{100 * (ratio - 1):.0f} %"
+
+
+def description():
+    """One line on the machine, for below a table."""
+    return f"{machine()}; the unit, {UNIT}, took {noise()}"

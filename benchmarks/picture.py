@@ -1,14 +1,19 @@
 """Picture of run time against error: one point per row; quoted programs as bars from shortest to longest
 time."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from wrcontact.plots import style
 from wrcontact.plots.style import INK, QUIET
 
-from .machine import unit
+from . import rows as all_of
+from . import store
 from .peers import PEERS
-from .rows import SWEEPS, mean_error
+from .rows import SWEEPS
+
+PATH = "docs/img/benchmark.png"
 
 LADDERS = {  # kind of row: label, marker, colour (Okabe and Ito)
     "Hertz": ("Hertz", "s", "#E69F00"),
@@ -22,9 +27,36 @@ LOWEST, HIGHEST = 0.05, 30.0  # [%] of the picture
 FASTEST, SLOWEST = 1.0, 3e6  # [us]
 
 
+class Point(NamedTuple):
+    """A row of the table of models: its kind and label, time [us] and in units, and error [%], the mean of
+    penetration, area and peak pressure."""
+
+    kind: str
+    setting: str
+    microseconds: float
+    units: float
+    error: float
+
+
+def stored_points():
+    """The points of what is kept in benchmarks/measured."""
+    times, errors, halfspace = (store.load(part)["rows"] for part in ("model_times", "model_errors",
+                                                                      "halfspace"))
+    known = {**errors, **halfspace}
+    labels = {row.name: (row.kind, row.setting) for row in all_of.all_rows(all_of.FULL)}
+    labels[all_of.FMU_ROW] = "FMU", ""
+    return [point(*label, times[name], known.get(name) or known[all_of.DEFAULT_ROW])
+            for name, label in labels.items() if label[0] != "geometry"]
+
+
+def point(kind, setting, time, errors):
+    """The :class:`Point` of a row's kept time and errors."""
+    return Point(kind, setting, time["µs"], time["units"], float(np.mean(errors["positions mean"])))
+
+
 @style.styled
 def figure(rows):
-    """The picture (a matplotlib Figure) of measured ``rows``."""
+    """The picture (a matplotlib Figure) of ``rows``, each a :class:`Point`."""
     picture = style.new_figure(8.6, 5.4)
     axes = picture.subplots()
     axes.set(xscale="log", yscale="log", xlim=(FASTEST, SLOWEST), ylim=(LOWEST, HIGHEST),
@@ -35,7 +67,7 @@ def figure(rows):
     axes.set_axisbelow(True)
     for axis, form in ((axes.xaxis, ",.0f"), (axes.yaxis, "g")):
         axis.set_major_formatter(lambda value, _, form=form: format(value, form))
-    draw_units(axes)
+    draw_units(axes, rows[0].microseconds / rows[0].units)
     draw_strips(axes, [row for row in rows if row.kind == "strips"])
     for kind in LADDERS:
         draw_ladder(axes, kind,
@@ -45,9 +77,8 @@ def figure(rows):
     return picture
 
 
-def draw_units(axes):
-    """A second axis on top, in units."""
-    one = 1e6 * unit()
+def draw_units(axes, one):
+    """A second axis on top, in units of ``one`` [us]."""
     top = axes.secondary_xaxis("top", functions=(lambda us: us / one, lambda units: units * one))
     top.set_xlabel("in units: np.sqrt of 2000 doubles, same machine")
     top.xaxis.set_major_formatter(lambda value, _: f"{value:,g}" if value < 1 else f"{value:,.0f}")
@@ -75,7 +106,7 @@ def draw_ladder(axes, kind, rows):
 
 def places(rows):
     """Time [us] and error [%] of rows."""
-    return np.array([(row.cost.microseconds, 100 * mean_error(row.positions)) for row in rows]).T
+    return np.array([(row.microseconds, row.error) for row in rows]).T
 
 
 def annotate(axes, row, colour, offset, side):

@@ -1,4 +1,4 @@
-"""Effect of measurement noise on ANALYN's contacts after smoothing: ``python -m benchmarks.profile_noise``.
+"""Effect of measurement noise on ANALYN's contacts after smoothing (docs/profiles.md).
 
 S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are
 read as any file is.  Right contacts at lateral shifts of -6 ... 6 mm are compared with those of the exact
@@ -15,6 +15,7 @@ import numpy as np
 
 import wrcontact
 from wrcontact.profiles import ProfileWarning, standard_profile
+from wrcontact.progress import tracked
 
 MM = 1e-3
 NAMES = {"wheel": "S1002", "rail": "UIC60"}
@@ -23,6 +24,7 @@ SEEDS = 6
 #: Spacing [mm], noise [mm], and whether y has noise too.
 CASES = [(spacing, noise, True) for noise in (1e-3, 1e-2, 5e-2) for spacing in (0.1, 0.2, 0.5)] + [
     (0.2, noise, False) for noise in (1e-3, 1e-2, 5e-2)]
+RAW = (1e-3, 1e-2)  # [mm] noise in z that is not smoothed
 
 
 @functools.lru_cache
@@ -75,23 +77,18 @@ def case(spacing, noise, both, folder, seeds=range(SEEDS), smoothing=None):
     return np.concatenate(off, axis=1), bad
 
 
-def main():
-    print("| noise [um] | in | spacing [mm] | position [mm]: median | 90 % | area [%]: median | 90 % | "
-          "pressure [%]: median | "
-          "90 % | not valid |\n|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|")
+def study(quick=False):
+    """Rows by case: position [mm], area and pressure [%], median and 90 % of each, and poses that are not
+    valid; without smoothing the pressure's median [%] alone."""
+    rows = {}
     with tempfile.TemporaryDirectory() as folder:
-        for spacing, noise, both in CASES:
-            off, bad = case(spacing, noise, both, folder)
+        seeds = range(1 if quick else SEEDS)
+        for spacing, noise, both in tracked(CASES[:1] if quick else CASES, "noisy profiles"):
+            off, bad = case(spacing, noise, both, folder, seeds)
             position, area, pressure = np.nanquantile(off, [0.5, 0.9], axis=1).T
-            cells = [f"{value:.2f}" for value in position] + [f"{100 * value:.1f}"
-                                                              for value in (*area, *pressure)]
-            print(f"| {1e3 * noise:g} | {'y, z' if both else 'z'} | {spacing:g} | {' | '.join(cells)} | "
-                  f"{bad} |")
-        for noise in (1e-3, 1e-2):
-            off, _ = case(0.2, noise, False, folder, smoothing=0.0)
-            print(f"{1e3 * noise:g} um in z every 0.2 mm, not smoothed: pressure "
-                  f"{100 * np.nanmedian(off[2]):.0f} % off in the median")
-
-
-if __name__ == "__main__":
-    main()
+            rows[f"{1e3 * noise:g}, {'y, z' if both else 'z'}, {spacing:g}"] = {
+                "position": position, "area": 100 * area, "pressure": 100 * pressure, "not valid": bad}
+        for noise in RAW:
+            off, _ = case(0.2, noise, False, folder, seeds, smoothing=0.0)
+            rows[f"{1e3 * noise:g}, z, 0.2, not smoothed"] = {"pressure": 100 * np.nanmedian(off[2])}
+    return rows

@@ -6,6 +6,8 @@ wheel.
 
 Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended
 goes on where it was, a larger one only adds, and a changed model is compared anew within a second.
+
+    python -m benchmarks.random_poses       adds what is missing in tests/reference/random_poses.csv
 """
 
 import math
@@ -22,16 +24,17 @@ import wrcontact
 from wrcontact.methods import Analyn, Strip
 from wrcontact.progress import tracked
 
-from .table import markdown, percent
+from . import runs
 
 SEED = 2014
 RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
 SHIFT, YAW = 6.6e-3, radians(2)  # [m, rad] largest
 FORCE = 3e3, 200e3  # [N]
 TOLERANCE = 0.01  # of the half-space
-STORE = Path("out") / "random_poses.csv"
+STORE = Path("out") / "random_poses.csv"  # of a run with another number
+STORED = runs.TESTS / "reference" / "random_poses.csv"
+COUNT = 1000  # poses that are stored
 SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
-PATCH_NAMES = ("penetration", "area", "peak pressure")
 PERCENTILES = (50, 95, 99, 100)
 WORST = 5
 CHUNK = 8  # poses that a process takes at a time
@@ -131,63 +134,62 @@ def answers(poses, **options):
     return found, status
 
 
-def compared(count, models=("analyn", "analyn_strip"), store=STORE):
-    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst
-    poses."""
-    truth, poses = references(count, store), [pose(index) for index in range(count)]
+def compared(truth, models=("analyn", "analyn_strip")):
+    """Rows: the number of poses, of those left out since the half-space does not converge (results ``truth``,
+    (n, 6)); and by model its errors [%] by percentile, poses that it does not solve, and the worst wheels."""
+    poses = [pose(index) for index in range(len(truth))]
     lost = np.isnan(truth).any(axis=1)
-    header = ["", *PATCH_NAMES]
-    parts, rows = [f"{lost.sum()} of {count} poses are left out: the half-space does not converge to "
-                   f"{TOLERANCE:g}."], []
+    rows = {"poses": {"count": len(poses), "lost": int(lost.sum())}}
     for model in models:
         found, status = answers(poses, normal_model=model)
         refused = np.isin(status, (2, 3, 4)) & ~lost
-        parts.append(f"{model}: {refused.sum()} poses not solved.")
         kept = np.flatnonzero(~lost & ~refused)
-        shares = np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
-        rows += [[f"{model}, {name}", *(f"{100 * value:.1f}" for value in values)]
-                 for name, values in quantiles(shares)]
-        parts.append("Worst:\n" + "\n".join(worst(poses, kept, shares)))
-    title = f"{count} random poses, {2 * count} wheels: error against the half-space at {TOLERANCE:g} in %"
-    return markdown(title, header, rows) + "\n" + "\n\n".join(parts) + "\n"
+        shares = 100 * np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
+        rows[model] = {**dict(quantiles(shares.reshape(-1, 3))), "refused": int(refused.sum()),
+                       "wheels": list(worst(poses, kept, shares))}
+    return rows
 
 
-def quantiles(shares):
-    """Yield name and values (3,) of the mean and the percentiles of relative errors (n, 2, 3)."""
-    wheels = shares.reshape(-1, 3)
+def quantiles(wheels):
+    """Yield name and values (3,) of the mean and the percentiles of errors (n, 3)."""
     yield "mean", wheels.mean(axis=0)
     for percentile in PERCENTILES:
-        name = "worst" if percentile == 100 else f"{percentile} of 100"
-        yield name, np.percentile(wheels, percentile, axis=0)
+        yield percentile_name(percentile), np.percentile(wheels, percentile, axis=0)
+
+
+def percentile_name(percentile):
+    return "worst" if percentile == 100 else f"{percentile} of 100"
 
 
 def worst(poses, kept, shares):
-    """Yield one line on each of the wheels with the largest errors."""
+    """Yield the errors (3,) of each of the wheels with the largest, and which wheel it is."""
     largest = shares.max(axis=2)
     for place in np.argsort(largest, axis=None)[::-1][:WORST]:
         row, side = np.unravel_index(place, largest.shape)
-        yield f"* {percent(shares[row, side])} %, {SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"
+        yield {"errors": shares[row, side],
+               "wheel": f"{SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"}
 
 
 # ------------------------------------------------------------------------------------------------- tolerances
 
 
 def numerics(count):
-    """Text: difference of each tolerance from the finest resolution of the same model, S1002 on UIC60
-    1:40."""
+    """Rows by model and tolerance: difference from the same model at its finest [%] by percentile, S1002 on
+    UIC60 1:40."""
     poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
-    rows = []
+    rows = {}
     for model in (Analyn, Strip):
         finest = {name: known.high for name, known in model.numbers().items() if known.whole}
         truth, _ = answers(poses, normal_model=model(**finest))
         for tolerance in model.ladder:
             found, _ = answers(poses, normal_model=model(tolerance=tolerance))
-            wheels = np.abs(found / truth - 1).reshape(-1, 3)
+            wheels = 100 * np.abs(found / truth - 1).reshape(-1, 3)
             wheel = int(np.nanargmax(wheels.max(axis=1)))
-            rows.append([f"{model.name}, tolerance {tolerance:g}",
-                         *(percent(np.nanpercentile(wheels, at, axis=0)) for at in PERCENTILES),
-                         f"{SIDES[wheel % 2]}, pose {wheel // 2}"])
-    header = ["numerics", *(f"{percentile} of 100" for percentile in PERCENTILES[:-1]), "worst", "where"]
-    return markdown(f"What a tolerance keeps of the same model at its finest, {count} random poses on UIC60 "
-                    f"1:40, in % of "
-                    "penetration / area / peak pressure", header, rows)
+            rows[f"{model.name}, tolerance {tolerance:g}"] = {
+                **dict(quantiles(wheels[~np.isnan(wheels).any(axis=1)])), "count": count,
+                "where": f"{SIDES[wheel % 2]}, pose {wheel // 2}"}
+    return rows
+
+
+if __name__ == "__main__":
+    references(COUNT, STORED)

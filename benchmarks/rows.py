@@ -9,19 +9,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
-import numpy as np
-
 import wrcontact
 from wrcontact.methods import Analyn, Strip
 
 from . import errors, runs
-from .machine import Cost, cost
+from .machine import cost
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
+DEFAULT_ROW = f"analyn, tolerance 0.01 ({Analyn.ladder[0.01].nodes} nodes)"
 FMU_ROW = "analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all outputs"
+NATIVE_ROW = "analyn, hunting with yaw, native FMU step from C, FMI {}.0: 5 inputs, all outputs"
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Effort:
     every: int  # the half-space solves each ``every``-th row of the hunting run
 
 
-FULL = Effort(2000, 5, 3, HALFSPACE, 1)
+FULL = Effort(2000, 3, 5, HALFSPACE, 1)
 QUICK = Effort(300, 3, 1, HALFSPACE[:2], EVERY)
 
 
@@ -52,21 +52,18 @@ class Row:
     rounds: int
     every: int = 1
     short: bool = False  # also in the README
-    cost: Cost = None
-    positions: errors.Errors = None
-    hunting: errors.Errors = None
-    rigid: str = ""
     setting: str = ""  # label in the picture
 
-    def measure(self):
-        """Measure cost and errors, and return the row; measured again, it keeps the smaller cost."""
-        self.cost = cost(self.work, self.calls, self.rounds).least(self.cost)
+    def cost(self):
+        """:class:`Cost` of one evaluation."""
+        return cost(self.work, self.calls, self.rounds)
+
+    def errors(self):
+        """Errors by name, as they are kept: mean and worst of both runs in %, or those of the rigid
+        contact."""
         if self.kind == "geometry":
-            self.rigid = errors.rigid(self.system)
-        else:
-            self.positions, self.hunting = (errors.positions(self.system),
-                                            errors.hunting(self.system, self.every))
-        return self
+            return errors.rigid(self.system)
+        return errors.percentages(errors.positions(self.system), errors.hunting(self.system, self.every))
 
 
 @cache
@@ -159,16 +156,17 @@ def doors(effort):
               effort.rounds)
 
 
-def fmu_row(folder, effort):
-    """The step of the Python FMU through fmpy, built in ``folder`` and measured."""
-    from . import fmu_step
+class NativeRow(Row):
+    """A native FMU's step, which its C host measures."""
 
-    row = Row(FMU_ROW, "FMU", None, 0, system(), 0, short=True)
-    row.cost = Cost(*fmu_step.whole_step(folder, effort.passes * effort.rounds))
-    row.positions, row.hunting = errors.positions(system()), errors.hunting(system())
-    return row
+    def cost(self):
+        return self.work()
 
 
-def mean_error(found):
-    """Mean over penetration, area and peak pressure of the mean errors, as a share."""
-    return float(np.mean(found.mean))
+def hosted(folder, effort):
+    """Rows of the steps of all three FMUs, which are built in ``folder``."""
+    from . import fmu_step, native
+
+    yield Row(FMU_ROW, "FMU", fmu_step.steps(folder), fmu_step.STEPS, system(), effort.rounds, short=True)
+    for version, measure in native.measures(folder):
+        yield NativeRow(NATIVE_ROW.format(version), "native", measure, 0, system(), 0)

@@ -10,6 +10,7 @@ from wrcontact.kernel import layout
 
 TESTS = Path(__file__).parents[1] / "tests"
 POSITIONS = TESTS / "reference" / "positions.csv"
+MANCHESTER = TESTS / "reference" / "manchester_a22_rolls.csv"
 HUNTING = TESTS / "trajectories" / "hunting.csv"
 FORCE = 78.5e3  # [N]
 SHIFT, YAW = 6.6e-3, 0.02  # [m, rad] amplitudes of the timed runs

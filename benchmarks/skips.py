@@ -9,13 +9,14 @@ import numpy as np
 from . import errors, runs
 from .machine import Cost, cost
 from .rows import batch, system
-from .table import percent
+
+NO_YAW, COARSE = "no yaw", "tolerance 0.02 instead of 0.0015"
 
 
 @dataclass
 class Skip:
     """``work`` with the skip and ``full`` without it, ``calls`` evaluations each; ``answer`` is the effect on
-    the result."""
+    the result, with fields for the errors of :func:`answers`."""
 
     name: str
     work: Callable
@@ -36,9 +37,8 @@ def all_skips(effort):
     straight, yawed = runs.trajectory(effort.count, yaw=0.0), runs.trajectory(effort.count)
     count, full = effort.count, batch(system(), runs.trajectory(effort.count, yaw=0.0))
     coarse, fine = system(tolerance=0.02), system(tolerance=0.0015)
-    ignored = errors.hunting(system(), yawed=False)
-    yield Skip("no yaw", full, batch(system(), yawed), count,
-               f"run with its yaw left out: {percent(ignored.mean)} mean, {percent(ignored.worst)} worst")
+    yield Skip(NO_YAW, full, batch(system(), yawed), count,
+               "hunting run with its yaw left out: {mean} mean, {worst} worst")
     yield Skip("inputs unchanged, stepper", *resting(count), count, "the same bits")
     yield Skip("inputs unchanged, `evaluate()`", *resting_evaluate(count), count, "the same bits")
     yield Skip('geometry alone, `outputs="geometry"`', batch(system(), straight, outputs="geometry"), full,
@@ -54,8 +54,16 @@ def all_skips(effort):
                "the same minimum, bounded")
     yield Skip("force solve: penetration prescribed, the most that its history could save", sunk(straight),
                full, count, "another question")
-    yield Skip("tolerance 0.02 instead of 0.0015", batch(coarse, straight), batch(fine, straight), count,
-               compared(coarse, fine))
+    yield Skip(COARSE, batch(coarse, straight), batch(fine, straight), count,
+               "hunting run: {mean} mean instead of {fine}")
+
+
+def answers():
+    """Errors on the hunting run of the skips that change the result [%], by their names."""
+    ignored, coarse, fine = (errors.hunting(system(), yawed=False), errors.hunting(system(tolerance=0.02)),
+                             errors.hunting(system(tolerance=0.0015)))
+    return {NO_YAW: {"mean": 100 * ignored.mean, "worst": 100 * ignored.worst},
+            COARSE: {"mean": 100 * coarse.mean, "fine": 100 * fine.mean}}
 
 
 def resting(count):
@@ -99,9 +107,3 @@ def sunk(poses):
     table = system().evaluate_many(shift, yaw, runs.FORCE)
     mean = tuple(float(np.mean(side.penetration)) for side in (table.left, table.right))
     return batch(system(), poses, penetration=mean)
-
-
-def compared(coarse, fine):
-    """Mean errors of two systems on the hunting run, as text."""
-    before, after = errors.hunting(coarse), errors.hunting(fine)
-    return f"run: {percent(before.mean)} instead of {percent(after.mean)} mean"

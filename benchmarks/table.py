@@ -2,14 +2,14 @@
 
 
 def markdown(title, header, rows):
-    """A table with a title; the first column holds words, the others numbers."""
-    lines = [f"### {title}", "", line(header), rule(header)]
-    return "\n".join(lines + [line(row) for row in rows]) + "\n"
+    """A table with a title."""
+    return f"### {title}\n\n{grid(header, rows)}\n"
 
 
-def rule(header):
-    """The second line of a table with this header."""
-    return line(["---"] + ["---:"] * (len(header) - 1))
+def grid(header, rows, words=1):
+    """A table; the first columns hold ``words``, the others numbers."""
+    return "\n".join([line(header), line(["---"] * words + ["---:"] * (len(header) - words)),
+                      *map(line, rows)])
 
 
 def line(cells):
@@ -24,4 +24,9 @@ def figure(value):
 
 def percent(shares):
     """Shares as "1.2 / 3.4 / 5.6" [%]."""
-    return " / ".join(figure(100 * share) for share in shares)
+    return three(100 * share for share in shares)
+
+
+def three(values):
+    """Numbers as "1.2 / 3.4 / 5.6"."""
+    return " / ".join(map(figure, values))

@@ -5,6 +5,7 @@ docs/img/*.png.
     demo        the picture of ``wrcontact demo`` (README)
     check       the picture of ``wrcontact check`` (docs/check.md)
     models      the pressures of examples/compare_models.py (README)
+    conformal   planar against conformal theory (docs/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
 
 Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
@@ -28,6 +29,7 @@ from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, R
 from wrcontact.progress import tracked
 
 IMAGES = Path(__file__).resolve().parent / "img"
+FORCE = 78.5e3  # [N] of a wheel
 TURNED = np.radians(7)  # yaw of the sketch from above
 ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
 
@@ -92,6 +94,38 @@ def frames():
     return figure
 
 
+@style.styled
+def conformal():
+    """Peak pressure over the arc and outline of the right wheel's patches at three poses, by both
+    theories."""
+    from wrcontact.reference.edge import chords, edge_field
+    from wrcontact.study.planar import planar_contact
+
+    figure = style.new_figure(10.5, 5.4)
+    panels = figure.subplots(2, 3, sharex="col", height_ratios=(1.2, 1))
+    rigid, halfspace = ContactSystem(), ContactSystem(normal_model="halfspace", stations=201)
+    for (upper, lower), shift in zip(panels.T, (1e-3, 6e-3, 6.25e-3)):
+        planar = planar_contact(rigid, rigid.evaluate(shift, 0.0, FORCE), FORCE)
+        turning = halfspace.evaluate(shift, 0.0, FORCE, side="right").right.outline
+        half = 0.5 * chords(edge_field(planar.pressure)) * (planar.x[1] - planar.x[0])
+        for station, pressure, length, colour, name in (
+                (planar.s, planar.pressure.max(axis=0), half, QUIET, "one plane"),
+                (turning.station, turning.pressure, turning.half_length, CONTACT_COLOUR, "conformal")):
+            there = np.append(length[1:], 0.0) + np.append(0.0, length[:-1]) + length > 0.0
+            station, pressure, length = (np.where(there, each, np.nan)
+                                         for each in (station, pressure, length))
+            upper.plot(station / MM, pressure / style.MEGAPASCAL, color=colour, label=name)
+            for sign in (-1, 1):
+                lower.plot(station / MM, sign * length / MM, color=colour)
+        upper.set_title(f"{shift / MM:g} mm")
+        upper.set_ylim(0.0)
+        lower.set_xlabel("arc from the contact point, mm")
+    panels[0, 0].set_ylabel("largest pressure at a station, MPa")
+    panels[1, 0].set_ylabel("edge along the track, mm")
+    panels[0, 0].legend()
+    return figure
+
+
 def source(number):
     """A figure of the degree project that wrcontact started from."""
     from wrcontact.plots.source_figures import source_figure
@@ -100,7 +134,7 @@ def source(number):
     return source_figure(compute(number, Study()))
 
 
-PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models,
+PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models, "conformal": conformal,
             "source_5_8": partial(source, "5.8"), "source_7_14": partial(source, "7.14")}
 
 

@@ -54,6 +54,11 @@ class Stepper:
         self._penetration = None
         self._wanted = ("both", "all")
 
+    @property
+    def tables(self):
+        """Settings and tables of the system, with what is wanted and prescribed."""
+        return self._tables
+
     def step(self):
         """Evaluate the inputs into the outputs; return the status (an int).
 

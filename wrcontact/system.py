@@ -12,7 +12,14 @@ import threading
 
 import numpy as np
 
-from .interface.calls import describe_inputs, describe_parameters, input_values, warn_of_inputs, wrong_input
+from .interface.calls import (
+    check_processes,
+    describe_inputs,
+    describe_parameters,
+    input_values,
+    warn_of_inputs,
+    wrong_input,
+)
 from .interface.parameters import PARAMETERS, checked_parameters, warn_of_parameters
 from .kernel import layout
 from .kernel.binding.setup import prepare_tables_of
@@ -148,32 +155,53 @@ class ContactSystem:
             found[:] = math.nan
         return WheelsetState(found, status, stepper.inputs.copy())
 
-    def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
+    def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``.  The table has
         memory only for what is wanted: 2.2 kB a row for all outputs, 8 B for one.
+
+        ``processes`` share the rows of the half-space, which needs much time, with the same results; the
+        other models use one.  A script makes such a call below ``if __name__ == "__main__":``.
+
+        Raises
+        ------
+        ValueError
+            if an argument is not permitted, in one sentence.
+        RuntimeError
+            if the processes cannot start.
         """
         from .progress import working  # not part of an FMU
 
+        check_processes(processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
         width = len(stepper.outputs)
         values = np.empty((len(rows), width if wanted.places is None else len(wanted.places)))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
-            for part, found, outcome in stepper.parts(rows, wanted.places):
+            for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
                 values[part], status[part] = found, outcome
                 advance(len(found))
         return WheelsetState(values, status, rows, wanted.places, width)
 
-    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
+    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
+                       **inputs):
         """As :meth:`evaluate_many`, but yields the table in parts of up to 1024 rows, one after the other:
         the memory does not grow with the number of rows."""
+        check_processes(processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
-        for part, found, outcome in stepper.parts(rows, wanted.places):
+        for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
             yield WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs))
+
+    def _parts(self, stepper, rows, places, processes):
+        """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows."""
+        if processes == 1 or len(rows) < 2 or not isinstance(self.methods["normal_model"], Halfspace):
+            return stepper.parts(rows, places)
+        from .reference.processes import shared_parts  # scipy is not needed before
+
+        return shared_parts(stepper.tables, self.parameters["tolerance"], rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for

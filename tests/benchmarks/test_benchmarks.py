@@ -1,6 +1,7 @@
 """The benchmarks run, their tables have all rows, and what they say about errors and counts
 holds; nothing about time."""
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 
@@ -13,14 +14,18 @@ from benchmarks import (
     counts,
     errors,
     growth,
+    machine,
+    pages,
+    parts,
     peers,
     picture,
     random_poses,
     rows,
     skips,
+    store,
+    tables,
 )
-from benchmarks.table import figure, markdown
-from tests.helpers.paths import ROOT
+from benchmarks.table import figure, grid
 from wrcontact.methods import Analyn, Strip
 from wrcontact.plots import style
 
@@ -29,54 +34,138 @@ LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
 @pytest.fixture(scope="module")
 def measured():
-    return [row.measure() for row in rows.all_rows(LITTLE)]
+    """Rows with their errors and costs; not the half-space's, which take long."""
+    return [(row, row.errors(), row.cost()) for row in rows.all_rows(LITTLE) if row.kind != "halfspace"]
 
 
 def of_kind(measured, kind):
-    return [row for row in measured if row.kind == kind]
+    return [(row, found) for row, found, _ in measured if row.kind == kind]
 
 
 # --- the table ----------------------------------------------------------------------------------------------
 
 
 def test_the_table_has_every_row(measured):
-    names = [row.name for row in measured]
-    assert len(set(names)) == len(names)
+    names = [row.name for row, *_ in measured]
+    assert len(set(names)) == len(names) and rows.DEFAULT_ROW in names
     for model in (Analyn, Strip):
         for tolerance in model.ladder:
             assert any(name.startswith(f"{model.name}, tolerance {tolerance:g} ") for name in names)
     assert len(of_kind(measured, "strips")) == 15
     assert len(of_kind(measured, "order")) == 6 and len(of_kind(measured, "door")) == 2
-    lines = __main__.full_table(measured, LITTLE).splitlines()
-    table = [line for line in lines if line.startswith("|")]
-    assert len(table) == 2 + len(measured) + len(peers.PEERS)
-    assert {line.count("|") for line in table} == {len(__main__.HEADER) + 1}
-    assert all("quoted" in line for line in table[-3:]) and not any("quoted" in line for line in table[:-3])
 
 
-def test_the_readme_is_shorter():
+def test_kept_rows_are_those_that_are_measured():
+    """Times of all rows and of the three FMUs; errors of all rows."""
+    names = [row.name for row in rows.all_rows(rows.FULL)]
+    hosted = [rows.FMU_ROW, rows.NATIVE_ROW.format(2), rows.NATIVE_ROW.format(3)]
+    assert list(store.load("model_times")["rows"]) == [*names, *hosted]
+    assert {*store.load("model_errors")["rows"], *store.load("halfspace")["rows"]} == set(names)
+
+
+def test_tables_of_the_pages():
+    """The README's is shorter; quoted rows stand at the end of both."""
+    kept = {name: store.load(name) for name in tables.MODEL_PARTS}
+    full, short = (text(kept).splitlines() for text in (tables.models, tables.short_models))
+    assert full[:2] == short[:2] and len(full) == 2 + len(kept["model_times"]["rows"]) + len(peers.PEERS)
+    assert set(short) < set(full) and len(short) == 2 + 10 + len(peers.PEERS)
+    for table in (full, short):
+        assert {line.count("|") for line in table} == {len(tables.MODELS) + 1}
+        assert all("quoted" in line for line in table[-3:])
+        assert not any("quoted" in line for line in table[:-3])
+
+
+def test_the_readme_has_a_row_of_each_kind():
     short = [row for row in rows.all_rows(rows.FULL) if row.short]
-    assert 8 <= len(short) + 1 <= 12                                  # the FMU's comes on top
     assert {row.kind for row in short} == {"geometry", "Hertz", "analyn", "analyn_strip", "halfspace",
                                            "order", "door"}
 
 
-def test_the_readme_has_these_rows():
-    """Its table is one that ``--readme`` printed: the same header, and the same rows in the same order."""
-    page = (ROOT / "README.md").read_text(encoding="utf-8")
-    expected = [row.name for row in rows.all_rows(rows.FULL) if row.short] + [rows.FMU_ROW]
-    expected += [f"{peer.name} ({peers.SOURCE})" for peer in peers.PEERS]
-    table = page.split(__main__.line(__main__.HEADER))[1].split("\n\n")[0].splitlines()
-    assert [text.split("|")[1].strip() for text in table[2:]] == expected
-
-
 def test_costs_are_measured(measured):
-    assert all(0 < row.cost.seconds < 10 and row.cost.units > 0 for row in measured)
+    assert all(0 < cost.seconds < 10 and cost.units > 0 for *_, cost in measured)
 
 
-def test_markdown():
-    assert markdown("T", ["a", "b"], [["x", 1]]) == "### T\n\n| a | b |\n| --- | ---: |\n| x | 1 |\n"
+def test_a_cost_is_the_smallest_of_its_rounds():
+    """Of call and unit alike, each by itself: a disturbed unit does not make a call cheap."""
+    slow, quick = machine.Cost(3e-6, 1e-6), machine.Cost(2e-6, 1.5e-6)
+    assert slow.least(quick) == quick.least(slow) == machine.Cost(2e-6, 1e-6)
+    assert slow.least(None) == slow and slow.units == pytest.approx(3.0)
+    assert slow.microseconds == pytest.approx(3.0)
+
+
+def test_the_noise_of_a_run_is_told():
+    machine.restart()
+    one = [machine.unit() for _ in range(3)]
+    count, least, median, high = machine.spread()
+    assert count == 3 and least == min(one) and least <= median <= high <= max(one)
+    assert "95th percentile of 3 measurements" in machine.noise()
+
+
+def test_grids():
+    assert grid(["a", "b"], [["x", 1]]) == "| a | b |\n| --- | ---: |\n| x | 1 |"
     assert [figure(value) for value in (0.04, 9.96, 99.6, 12345.6)] == ["0.0", "10.0", "100", "12,346"]
+
+
+# --- parts and what is kept of them -------------------------------------------------------------------------
+
+
+def test_parts_by_kind_and_by_name():
+    assert parts.named([]) == list(parts.PARTS)
+    assert parts.named(["errors", "growth"]) == [name for name, part in parts.PARTS.items()
+                                                 if part.kind == "errors" or name == "growth"]
+    with pytest.raises(ValueError, match="'error' is not known; known are errors, times, studies, model_err"):
+        parts.named(["error"])
+
+
+def test_what_is_kept_comes_back(tmp_path, monkeypatch):
+    monkeypatch.setattr(store, "FOLDER", tmp_path)
+    rows = {"a": {"x": np.array([1.23456, 1e-9]), "n": 3, "words": "½ | x"}, "b": {}}
+    store.save("a part", rows, {"machine": "this one"})
+    kept = store.load("a part")
+    assert kept["rows"] == {"a": {"x": [1.235, 1e-9], "n": 3, "words": "½ | x"}, "b": {}}
+    assert kept["machine"] == "this one" and kept["commit"] == store.commit()
+
+
+def test_a_commit_is_named_with_changes(monkeypatch):
+    answers = {"rev-parse": "abc1234\n", "status": " M wrcontact/state.py\n"}
+    monkeypatch.setattr(store, "git", lambda word, *others: answers[word])
+    assert store.commit() == "abc1234 and changes"
+    assert tables.code("abc1234 and changes") == "`abc1234` and changes"
+    answers["status"] = ""
+    assert store.commit() == "abc1234"
+
+
+def test_no_git_is_no_error(monkeypatch):
+    def missing(*words):
+        raise OSError
+
+    monkeypatch.setattr(store, "git", missing)
+    assert store.commit() == "unknown"
+
+
+def test_only_what_stands_between_the_marks_is_written(monkeypatch):
+    monkeypatch.setattr(pages, "written", lambda table, parts: "NEW")
+    name = next(iter(tables.TABLES))
+    text = f"before\n{pages.BEGIN.format(name)}\nold\nold\n{pages.END.format(name)}\nafter\n"
+    assert pages.filled(text, {}) == text.replace("old\nold", "NEW")
+    with pytest.raises(KeyError):
+        pages.filled(text.replace(name, "unknown"), {})
+
+
+def test_a_quick_run_is_not_written(capsys):
+    with pytest.raises(SystemExit):
+        __main__.main(["--quick", "--write"])
+    assert "a quick run is not written" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        __main__.main(["nothing"])
+    assert "'nothing' is not known" in capsys.readouterr().err
+
+
+def test_a_part_is_printed(capsys):
+    __main__.main(["--quick", "stations", "station_times", "choices"])
+    printed = capsys.readouterr().out
+    assert re.findall("^### (.*)$", printed, re.MULTILINE) == ["choices", "stations"]
+    assert "| 201 |" in printed and "Times are those of commit" in printed
 
 
 # --- errors -------------------------------------------------------------------------------------------------
@@ -84,17 +173,19 @@ def test_markdown():
 
 def test_each_model_is_nearer_to_the_complete_theory(measured):
     """Hertz, ANALYN, strips, half-space: mean errors on the positions [1]."""
-    best = [min(rows.mean_error(row.positions) for row in of_kind(measured, kind))
-            for kind in ("Hertz", "analyn", "analyn_strip", "halfspace")]
+    best = [min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
+            for kind in ("Hertz", "analyn", "analyn_strip")]
+    best.append(min(np.mean(found["positions mean"]) for found in store.load("halfspace")["rows"].values()))
     assert all(before > 1.3 * after for before, after in pairwise(best))
-    assert best[-1] < 0.005
+    assert best[-1] < 0.12                                                                # [%] measured 0.094
 
 
 def test_errors_are_those_of_the_stored_poses():
     system = rows.system()
     found = errors.positions(system)
     assert found.count == 20 and errors.hunting(system).count == 2 * 160
-    assert np.all(found.mean < (0.015, 0.04, 0.03)) and np.all(found.worst >= found.mean)
+    assert np.all(found.mean < (0.0086, 0.0228, 0.0157))             # measured 0.0067, 0.0176, 0.0121
+    assert np.all(found.worst < (0.039, 0.092, 0.101))               # measured 0.0260, 0.0618, 0.0676
     state = system.evaluate(6.5e-3)
     last = abs(state.right.penetration / 1.0536128e-4 - 1)          # last line of positions.csv
     assert last <= found.worst[0]
@@ -110,14 +201,14 @@ def test_a_pose_that_is_not_solved_is_an_error():
 
 
 def test_counts():
-    header, table = counts.table(100)
-    assert len(header) == 2 + len(counts.COUNTS) and len(table) == 14
-    for line in table:
-        count = dict(zip(header[1:], map(float, line[1:])))
+    table = counts.table(100)
+    assert len(table) == 14
+    for name, count in table.items():
+        assert list(count) == [counts.FULL_RASTER, *counts.COUNTS]
         # the bounds of the search
-        assert count["gap evaluations"] < count["full raster: gap evaluations"] / 3
+        assert count["gap evaluations"] < count[counts.FULL_RASTER] / 3
         assert 2 <= count["scans"] < 4 and count["force solves"] < 12
-        assert (count["strip systems"] > 0) == line[0].startswith("analyn_strip")
+        assert (count["strip systems"] > 0) == name.startswith("analyn_strip")
 
 
 def test_every_skip_runs():
@@ -153,9 +244,9 @@ def test_an_ended_run_goes_on(tmp_path, monkeypatch):
     store.write_text(f"{first}\n{other}\n{second[:-3]}")             # and one within which a run ended
     np.testing.assert_array_equal(random_poses.references(2, store, processes=1), whole)
     monkeypatch.setattr(random_poses, "solve", None)                # all is there: nothing is solved
-    text = random_poses.compared(2, store=store)
-    assert "0 of 2 poses are left out" in text and text.count("wheel, pose") == 8
-    assert "analyn_strip, 95 of 100" in text
+    found = random_poses.compared(random_poses.references(2, store))
+    assert found["poses"] == {"count": 2, "lost": 0}
+    assert all(len(found[model]["wheels"]) == 4 for model in ("analyn", "analyn_strip"))
 
 
 def test_what_does_not_converge_is_left_out(tmp_path):
@@ -163,8 +254,20 @@ def test_what_does_not_converge_is_left_out(tmp_path):
     values = (["nan"] * 6, ["1e-4", "1e-4", "1e9"] * 2)
     store.write_text("".join(random_poses.line(random_poses.heading(index) + row)
                              for index, row in enumerate(values)))
-    text = random_poses.compared(2, store=store)
-    assert "1 of 2 poses are left out" in text and "pose 0:" not in text
+    found = random_poses.compared(random_poses.references(2, store))
+    assert found["poses"] == {"count": 2, "lost": 1}
+    assert not any("pose 0:" in each["wheel"] for each in found["analyn"]["wheels"])
+    assert "1 poses are left out" in tables.random_table({"random_poses": {"rows": found}})
+
+
+@pytest.mark.slow
+def test_stored_answers_are_the_half_spaces():
+    """Some of the thousand that the table of random poses is compared with."""
+    kept = random_poses.references(random_poses.COUNT, random_poses.STORED)
+    assert kept.shape == (1000, 6) and np.all(np.isfinite(kept))
+    for index in range(0, 1000, 125):
+        np.testing.assert_allclose(np.array(random_poses.solve(index)[-6:], dtype=float), kept[index],
+                                   rtol=1e-5)
 
 
 def test_answers_are_those_of_the_named_track():
@@ -181,23 +284,21 @@ def test_answers_are_those_of_the_named_track():
 def test_tolerances_are_kept():
     """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal_model.py says; here of few
     poses, with a margin."""
-    for line in random_poses.numerics(200).splitlines()[4:]:
-        name, _, kept, *_ = (cell.strip() for cell in line.strip("|").split("|"))
-        assert max(map(float, kept.split(" / "))) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, line
+    for name, row in random_poses.numerics(200).items():
+        assert max(row["95 of 100"]) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, name
 
 
 # --- the picture --------------------------------------------------------------------------------------------
 
 
-def test_the_picture_shows_every_point(measured, tmp_path):
-    fmu = replace(of_kind(measured, "door")[0], kind="FMU")
-    drawn = picture.figure([*measured, fmu])
+def test_the_picture_shows_every_point(tmp_path):
+    drawn = picture.figure(picture.stored_points())
     axes = drawn.axes[0]
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     points = np.concatenate([line.get_xydata() for line in axes.lines])
     ladders = len(Analyn.ladder) + len(Strip.ladder)
     # Hertz, ladders, half-space, strips, FMU, peers
-    assert len(points) == 1 + ladders + 1 + 15 + 1 + 2 * 2 + 1
+    assert len(points) == 1 + ladders + len(rows.HALFSPACE) + 15 + 1 + 2 * 2 + 1
     assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])
                   & (points[:, 1] <= high))
     assert style.save(drawn, tmp_path / "benchmark.png").stat().st_size > 20_000

@@ -11,6 +11,7 @@ from tests.helpers.elastic import placed_rail
 from tests.helpers.hertz import MODULUS, hertz
 from tests.helpers.overlap import deepest, overlap
 from tests.reference import brute_force
+from wrcontact.kernel import layout
 from wrcontact.profiles.compiled import evaluate_table
 
 #: yaw [deg], shift [mm], force [N]: flange root and flange carry load at once
@@ -108,3 +109,34 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
     # measured 0.018 and 5 %: ANALYN's root patch is no ellipse
     assert flange.normal_force / force == pytest.approx(other / force, abs=0.025)
     assert state.right.penetration == pytest.approx(down, rel=0.07)
+
+
+@pytest.mark.parametrize("rail, inclination, shift, yaw, force", [
+    ("UIC60", 1 / 40, 6.15e-3, 0.0175, 78.5e3), ("54E1", 1 / 20, 5.86e-3, -0.0312, 195e3),
+    ("UIC60", 1 / 40, 5.487379916049944e-3, 0.049410464000100594, 66986.25868528389)])
+def test_patches_press_on_each_other_over_their_distance(rail, inclination, shift, yaw, force):
+    """Equations (P2) and (8.4) of docs/method.md: 18 and more degrees apart the lead counts, 9 degrees apart
+    it does not."""
+    stepper = system(rail=rail, rail_inclination=inclination).stepper()
+    stepper.inputs[:] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0
+    assert stepper.step() == 0
+    side = layout.Outputs.at(stepper.outputs).left[1]
+    contact = layout.Work.at(stepper._workspace).contact                 # of the right wheel, which came last
+    regions = contact.regions[:int(side.patch_count)]
+    modulus = 210e9 / (2 * (1 - 0.28**2))
+    angles = [-math.atan(region.inclination) for region in regions]
+    pressed = 0
+    for one, angle in zip(regions, angles):
+        down = math.cos(angle - side.contact_angle if one.own else 0.0) * side.penetration - one.gap
+        for other, its in zip(regions, angles):
+            if other is one:
+                continue
+            distance = one.offset + one.middle - other.offset - other.middle
+            apart = abs(angle - its) > math.radians(15)
+            lead = one.x_track - other.x_track if apart else 0.0
+            pressed += apart and abs(lead) > 3e-3
+            cosine = math.cos(angle - its) if one.own or other.own else 1.0
+            squares = 0.3 * (one.square + other.square)
+            down -= other.load * cosine / (math.pi * modulus * math.sqrt(distance**2 + lead**2 + squares))
+        assert one.local_penetration == pytest.approx(down, rel=1e-8)
+    assert pressed

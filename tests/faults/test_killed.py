@@ -30,7 +30,7 @@ def wait_for_part(program, folder):
 def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     target = tmp_path / "sweep.csv"
     target.write_text("before\n")
-    program = cli("sweep", "--step-mm", "0.002", "--csv", target)
+    program = cli("sweep", "--step-mm", "0.0002", "--csv", target)
     wait_for_part(program, tmp_path)
     program.send_signal(blow)
     out, errors = program.communicate(timeout=60)

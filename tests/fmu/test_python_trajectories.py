@@ -8,14 +8,17 @@ import pytest
 from tests.helpers.cases import RUNS, stored
 
 # What a stored trajectory may differ by, from the name of its column.
-RIGID = {"roll": 1e-9, "contact_angle": 1e-4, "curvature": math.inf}  # [rad], [rad], not compared
-POSITION = 1e-6  # [m]
-# of the complete theory's value, but for a few rows
-LOADED = {"penetration": 0.05, "area": 0.12, "max_pressure": 0.15}
-#: where the load moves between two regions, which ANALYN sees as a jump (the run
-#: "jumps" is made of such rows):
+# [rad] measured 7.7e-13, [rad] measured 6.8e-8 (the file has eight digits), not compared
+RIGID = {"roll": 2e-12, "contact_angle": 1e-7, "curvature": math.inf}
+POSITION = 1.2e-9  # [m] measured 8e-10
+#: Means of a run's deviations from the complete theory may be so many times what is measured [%].
+MARGIN = 1.3
+MEAN = {"hunting": {"penetration": 0.46, "area": 0.98, "max_pressure": 1.05},
+        "jumps": {"penetration": 0.64, "area": 2.20, "max_pressure": 1.10},
+        "load": {"penetration": 0.24, "area": 0.47, "max_pressure": 0.63}}
+#: Largest deviations: measured 0.112, 0.109, 0.251, where the load moves between two regions, which ANALYN
+#: sees as a jump (the run "jumps" is made of such rows); 0.157 of the area if a patch leans.
 WORST = {"penetration": 0.16, "area": 0.18, "max_pressure": 0.30}
-LEAST_WITHIN = {"hunting": 0.99, "jumps": 0.95, "load": 1.0}  # share of a run's values that LOADED holds for
 #: The wheel as printed has a step at y = -35 mm, on which the reference's contact rests for 1 um of lateral
 #: shift; ours is led over it within half a millimetre, half the step (6e-8 m) up or down.
 # [m]; [rad], and 77 1/m times the arc that belongs to
@@ -24,10 +27,10 @@ POSITION_ON_THE_STEP = 6e-4  # [m]
 #: The stored patches are those of a half-space on one plane, the contact point's. A flange patch that leans
 #: away from it has a plane of its own here, in which the half-space has its pressure too (test_halfspace.py):
 #: half of what is stored.
-LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value
+LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value; measured 0.44
 LEAST_UPRIGHT = 0.85  # share of a run's wheels that have no such patch
 # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
-PRESSURE_ON_THE_STEP = 0.40
+PRESSURE_ON_THE_STEP = 0.40  # measured 0.385
 
 
 # --- values ---------------------------------------------------------------------------------------
@@ -49,7 +52,7 @@ def test_trajectory_by_simulate_fmu(run, name):
 
 def assert_near(seen, expected, run):
     """Outputs agree with a stored trajectory, each within what its name allows."""
-    within, upright = [], []
+    deviations, upright = {name: [] for name in WORST}, []
     for k, (found, wanted) in enumerate(zip(seen, expected, strict=True)):
         resting = any(abs(wanted[f"{side}.contact.y_wheel"] - RESTING) < 1e-9 for side in ("left", "right"))
         leaning = {side: leans_away(found, side) for side in ("left", "right")}
@@ -62,9 +65,11 @@ def assert_near(seen, expected, run):
                 if leans and name.endswith("max_pressure"):
                     allowed = PRESSURE_LEANING * value
                 assert difference <= allowed, f"row {k}: {name} is {found[name]!r}, expected {value!r}"
-                if name.split(".")[-1] in LOADED and value and not leans:
-                    within.append(difference <= LOADED[name.split(".")[-1]] * abs(value))
-    assert np.mean(within) >= LEAST_WITHIN[run]
+                last = name.split(".")[-1]
+                if last in WORST and value and not leans and not (resting and last == "max_pressure"):
+                    deviations[last].append(100 * difference / abs(value))
+    for name, measured in MEAN[run].items():
+        assert np.mean(deviations[name]) <= MARGIN * measured, name
     assert np.mean(upright) >= LEAST_UPRIGHT
 
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import resource
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -24,10 +25,11 @@ def parts_in(folder):
 
 
 def cli(*words, **settings):
-    """The command line in a process of its own, running."""
+    """The command line in a process of its own, running; it hears interrupts also where these tests run in
+    the background of a shell, which passes on to ignore them."""
     command = [sys.executable, "-c", "from wrcontact.cli import main; main()", *map(str, words)]
     return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            **settings)
+                            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **settings)
 
 
 @contextlib.contextmanager
@@ -73,7 +75,7 @@ def building(folder, cache, **settings):
     """A process that builds the native FMUs."""
     command = [sys.executable, "-c", BUILD, str(folder), str(cache)]
     return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            **settings)
+                            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **settings)
 
 
 def points_of(name):

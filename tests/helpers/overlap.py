@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def overlap(track, pose, x, abscissa):
+def overlap(track, pose, x, abscissa, iterations=40):
     """How deep the right wheel is below the rail's point at ``abscissa`` and ``x`` along the track
     [m], along the rail's normal, broadcast; the wheel is the surface of revolution hypot(q_x, q_z) =
     R_0 + z(q_y), by Newton's method."""
@@ -14,7 +14,7 @@ def overlap(track, pose, x, abscissa):
     along = np.stack(np.broadcast_arrays(0 * x, -slope * cosine, cosine), axis=-1)
     start, along = start @ turn, along @ turn
     depth = np.zeros(start.shape[:-1])
-    for _ in range(40):
+    for _ in range(iterations):
         q = start + depth[..., None] * along
         height, slope, _ = track.wheel(q[..., 1] - track.half_distance)
         distance = np.hypot(q[..., 0], q[..., 2])
@@ -24,13 +24,13 @@ def overlap(track, pose, x, abscissa):
     return np.where(np.abs(move) < 1e-10, depth, -1.0)
 
 
-def deepest(track, pose, near, reach=1.5e-3):
+def deepest(track, pose, near, reach=1.5e-3, levels=9, iterations=40):
     """Largest overlap, x and abscissa [m] within ``reach`` of the rail's abscissa ``near``:
     grids of ever smaller cells."""
     x, y, wide, high = 0.0, near, 0.06, reach
-    for _ in range(9):
+    for _ in range(levels):
         grid_x, grid_y = x + np.linspace(-wide, wide, 41)[:, None], y + np.linspace(-high, high, 41)[None, :]
-        depth = overlap(track, pose, grid_x, grid_y)
+        depth = overlap(track, pose, grid_x, grid_y, iterations)
         i, j = np.unravel_index(np.argmax(depth), depth.shape)
         x, y, wide, high = grid_x[i, 0], grid_y[0, j], wide / 5, high / 5
     return depth[i, j], x, y

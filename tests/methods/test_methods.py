@@ -100,9 +100,9 @@ def test_objects_and_keywords_give_the_same_system(objects, keywords):
             "only 'analyn' or 'analyn_strip' has nodes",
         ),
         (
-            {"normal_model": Halfspace(), "load": VerticalLoad()},
-            "load is 'vertical'; permitted with the normal_model 'halfspace', "
-            "which solves one wheel at its rigid contact, is 'normal'",
+            {"normal_model": Halfspace(), "separation": VerticalSeparation()},
+            "separation is 'vertical'; permitted with the normal_model 'halfspace', "
+            "which knows the whole surface, is 'normal'",
         ),
     ],
 )

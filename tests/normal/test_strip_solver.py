@@ -202,6 +202,8 @@ def test_yawed_ball_end_to_end(yaw):
     state = {model: body.evaluate(2e-3, yaw, normal_force=2e4) for model, body in bodies.items()}
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
-        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (0.004, 0.01, 0.004)), side
+        # measured 0.01, 0.07, 0.013 % at most; the half-space's area is known to 0.1 %
+        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (2e-4, 1e-3, 2e-4)), side
+        # measured 0.08, 0.26, 0.04 % at most
         assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth))
-                      < (0.004, 0.01, 0.004)), side
+                      < (1.2e-3, 3.9e-3, 6e-4)), side

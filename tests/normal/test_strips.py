@@ -13,7 +13,6 @@ from wrcontact import Status
 from wrcontact.kernel import layout
 
 POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6.2, 6.3, 6.4, 6.5)      # [mm]
-FEW = (0.5, 5.5)
 #: Where ANALYN and strips are worst: a second region takes up load, and the load leaves the first one.
 HARD = (4.55, 4.6, 4.65, 4.7, 4.75, 5.0, 5.1, 5.2, 5.3, 5.4)
 
@@ -31,19 +30,14 @@ def errors_at(model, shifts):
                      for shift in shifts])
 
 
-@pytest.mark.parametrize("shift", FEW)
-def test_half_space_on_two_positions(shift):
-    assert np.all(np.abs(errors_at("analyn", (shift,))) < (0.035, 0.05, 0.05))
-    assert np.all(np.abs(errors_at("analyn_strip", (shift,))) < (0.007, 0.01, 0.012))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("model, mean, worst", [
-    ("analyn", (0.016, 0.05, 0.04), (0.065, 0.10, 0.09)),
-    ("analyn_strip", (0.003, 0.018, 0.014), (0.01, 0.055, 0.045)),
+    ("analyn", (0.0087, 0.0229, 0.0158), (0.039, 0.093, 0.102)),
+    ("analyn_strip", (0.0037, 0.0072, 0.0049), (0.010, 0.027, 0.0185)),
 ])
 def test_half_space_on_positions_from_tread_to_flange(model, mean, worst):
-    """Penetration, area, peak pressure; analyn measures 0.7, 2.0, 1.4 % mean, strips 0.27, 0.55, 0.34 %."""
+    """Penetration, area, peak pressure; analyn measures 0.67, 1.76, 1.21 % mean, 2.6, 6.2, 6.8 % worst,
+    strips 0.28, 0.55, 0.37 and 0.7, 1.8, 1.2 %, as on the stored answers (test_reference_runs.py)."""
     error = np.abs(errors_at(model, POSITIONS))
     assert (np.all(error.mean(axis=0) <= mean)
             and np.all(error.max(axis=0) <= worst)), (error.mean(axis=0), error.max(axis=0))
@@ -63,14 +57,16 @@ def test_complete_theory_on_the_planar_gap(case):
     is up to 0.6 % too large."""
     truth = case["solution"]
     side = system_of().evaluate(case["y_ws_mm"] * 1e-3).right
-    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.01)
-    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.035)
-    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.03)
+    # measured 0.64, 1.65, 0.57 % at most
+    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.0096)
+    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.0247)
+    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.0085)
     assert side.patch_count == len(truth["regions"])
     loads = sorted((region["fn_N"] for region in truth["regions"]), reverse=True)
-    np.testing.assert_allclose([patch.normal_force for patch in side.patches], loads, rtol=0.02)
+    # measured 0.22 %
+    np.testing.assert_allclose([patch.normal_force for patch in side.patches], loads, rtol=0.0033)
     centre = sum(region["s_centroid_mm"] * region["fn_N"] for region in truth["regions"]) / 78500
-    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=1.5e-4)
+    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=1.2e-4)       # [m] measured 0.8e-4
 
 
 PAIRS = [(rail, inclination) for inclination in (1 / 40, 1 / 20) for rail in ("UIC60", "60E1", "54E1")]
@@ -108,15 +104,16 @@ def compare_on_random_poses(count, seed, **parameters):
 
 def assert_near_the_half_space(found, near, where, worst, worst_near_jump):
     error = np.abs(found)
-    assert np.all(error[~near].mean(axis=0) <= (0.003, 0.012, 0.010)), error[~near].mean(axis=0)
+    # measured 0.16, 0.32, 0.28 % on the first poses, 0.20, 0.40, 0.37 % on the thousand stored ones
+    assert np.all(error[~near].mean(axis=0) <= (0.0026, 0.0052, 0.0048)), error[~near].mean(axis=0)
     for rows, limit in ((np.flatnonzero(~near), worst), (np.flatnonzero(near), worst_near_jump)):
         for row in rows:
             assert np.all(error[row] <= limit), (found[row].round(4), where[row])
 
 
+@pytest.mark.slow
 def test_half_space_on_random_poses():
-    """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them
-    yawed: mean 0.2, 0.4, 0.4 %."""
+    """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them yawed."""
     assert_near_the_half_space(*compare_on_random_poses(24, 31), worst=(0.02, 0.06, 0.06),
                                worst_near_jump=(0.03, 0.10, 0.35))
 

@@ -143,7 +143,9 @@ def test_the_kernel_shows_nothing():
         assert "progress" not in file.read_text(encoding="utf-8"), file
 
 
-LONG_WORK = ("benchmarks/__main__.py", "benchmarks/random_poses.py", "wrcontact/cli/commands.py",
+LONG_WORK = ("benchmarks/__main__.py", "benchmarks/parts.py", "benchmarks/random_poses.py",
+             "benchmarks/curvature_study.py", "benchmarks/elastic_study.py", "benchmarks/profile_noise.py",
+             "wrcontact/study/compare.py", "wrcontact/cli/commands.py",
              "wrcontact/cli/demo.py", "wrcontact/cli/figures.py", "wrcontact/fmu/compilers.py",
              "wrcontact/fmu/native.py", "wrcontact/fmu/online.py", "wrcontact/reference/stepping.py")
 

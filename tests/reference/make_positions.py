@@ -1,7 +1,8 @@
-"""Writes positions.csv: the right wheel's patch from tread to flange, complete theory at the rigid pose.
+"""Writes positions.csv: the right wheel's patch from tread to flange, complete theory where the wheel has
+come down from its rigid pose.
 
 S1002 on UIC60 1:40, gauge 1435 mm, 78.5 kN, no yaw; rigid pose from ``brute_force``, patch from
-``halfspace_reference``. SI units. About a minute on one core::
+``conformal_reference``. SI units. About five minutes on one core::
 
     python -m tests.reference.make_positions
 """
@@ -10,7 +11,7 @@ import csv
 from pathlib import Path
 
 from tests.reference.brute_force import rigid_contact, track
-from tests.reference.halfspace_reference import normal_contact
+from tests.reference.conformal_reference import sunk_contact
 from wrcontact.progress import tracked
 
 OUTPUT = Path(__file__).resolve().with_name("positions.csv")
@@ -26,7 +27,7 @@ def main():
         table = csv.writer(file, lineterminator="\n")
         table.writerow(NAMES)
         for shift in tracked(POSITIONS, "positions"):
-            patch = normal_contact(system, rigid_contact(system, shift * 1e-3, 0.0), "right", FORCE)
+            patch = sunk_contact(system, rigid_contact(system, shift * 1e-3, 0.0), "right", FORCE)
             values = (f"{value:.9g}" for value in (patch.penetration, patch.area, patch.max_pressure))
             table.writerow([round(shift * 1e-3, 9), 0.0, FORCE, *values])
 

@@ -1,7 +1,8 @@
 """Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
-Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``halfspace_reference`` at
-the rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About a quarter of an hour on one core::
+Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``conformal_reference``: the
+wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About an hour
+on one core::
 
     python -m tests.reference.make_trajectories [hunting] [jumps] [load]
 """
@@ -15,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from tests.reference.brute_force import rigid_contact, track
+from tests.reference.conformal_reference import sunk_contact
 from tests.reference.find_jumps import find_jumps
-from tests.reference.halfspace_reference import normal_contact
 from wrcontact.progress import tracked
 
 OUTPUT = Path(__file__).resolve().parent.parent / "trajectories"
@@ -137,7 +138,7 @@ def patch(wheelset, side, force):
     """penetration [m], area [m^2], max_pressure [Pa] to nine digits."""
     if force == 0:
         return 0.0, 0.0, 0.0
-    solution = normal_contact(SYSTEM, wheelset, side, force)
+    solution = sunk_contact(SYSTEM, wheelset, side, force)
     return tuple(float(f"{getattr(solution, key):.9g}") for key in PATCH)
 
 

@@ -54,9 +54,9 @@ def test_hertz(A, B):
     penetration, a, b, peak = hertz(A, B, force)
     x, s = cells(1.12 * a, 110), cells(1.12 * b, 110)
     found = solve(x, s, A * x[:, None] ** 2 + B * s**2, force)
-    assert found.penetration == pytest.approx(penetration, rel=1e-4)
-    assert found.max_pressure == pytest.approx(peak, rel=3e-4)
-    assert found.area == pytest.approx(pi * a * b, rel=3e-3)
+    assert found.penetration == pytest.approx(penetration, rel=3.6e-5)      # measured 2.4e-5
+    assert found.max_pressure == pytest.approx(peak, rel=1.4e-4)            # measured 9.3e-5
+    assert found.area == pytest.approx(pi * a * b, rel=3e-3)                # measured 2.6e-3
     assert found.pressure.sum() * found.cell == pytest.approx(force, rel=1e-12)
 
 
@@ -70,9 +70,9 @@ def test_contact_on_the_same_gap(case):
     along = cells(np.sqrt(2 * R * theirs["penetration_mm"] * 1e-3), 160)
     found = solve(along, across, along[:, None] ** 2 / (2 * R) + CubicSpline(s, g)(across), case["fn_N"])
     assert not found.touches_border
-    assert found.penetration * 1e3 == pytest.approx(theirs["penetration_mm"], rel=1e-4)
-    assert found.max_pressure / 1e6 == pytest.approx(theirs["pmax_MPa"], rel=2e-3)
-    assert found.area * 1e6 == pytest.approx(theirs["area_fit_mm2"], rel=5e-3)
+    assert found.penetration * 1e3 == pytest.approx(theirs["penetration_mm"], rel=1.2e-5)  # measured 8e-6
+    assert found.max_pressure / 1e6 == pytest.approx(theirs["pmax_MPa"], rel=1.2e-3)    # measured 7.9e-4
+    assert found.area * 1e6 == pytest.approx(theirs["area_fit_mm2"], rel=3.4e-3)        # measured 2.3e-3
 
 
 def full_cases(*positions):
@@ -90,8 +90,9 @@ def test_contact_with_its_own_geometry(row):
     wheelset = rigid_contact(system, row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]))
     found = normal_contact(system, wheelset, "right", row["normal_force_N"])
     assert wheelset.right.contact_angle == pytest.approx(-row["contact_plane_angle_rad"], abs=0.02)
-    assert found.penetration * 1e3 == pytest.approx(row["penetration_mm"], rel=5e-3)
-    assert found.max_pressure / 1e6 == pytest.approx(row["max_pressure_MPa"], rel=5e-3)
+    # measured 1.7e-3, 1.4e-3, 8.5e-3 at most
+    assert found.penetration * 1e3 == pytest.approx(row["penetration_mm"], rel=2.6e-3)
+    assert found.max_pressure / 1e6 == pytest.approx(row["max_pressure_MPa"], rel=2.1e-3)
     assert found.area * 1e6 == pytest.approx(row["area_fit_mm2"], rel=1e-2)
 
 

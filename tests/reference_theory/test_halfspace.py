@@ -22,7 +22,7 @@ def test_example_of_the_module():
 def test_influence_is_the_integral_over_the_cell():
     """1/r integrated by quadrature over a cell that is far from square, one cell and one diagonal away."""
     dx, ds = 1e-4, 3e-4
-    influence = deflection.influence(3, 3, dx, ds, contact_modulus=MODULUS)
+    influence = deflection.influence(dx * np.arange(3), ds * np.arange(3), contact_modulus=MODULUS)
     for i, j in ((1, 0), (0, 1), (2, 1)):
         def distance(s, x, i=i, j=j):
             return 1.0 / math.hypot(x - i * dx, s - j * ds)
@@ -34,7 +34,7 @@ def test_convolution_is_the_sum():
     """Nothing wraps round: against the plain double sum, on a grid that is not square."""
     pressure = np.random.default_rng(1).random((7, 5))
     bent = deflection.Deflection(pressure.shape, 2e-4, 1e-4, MODULUS)(pressure)
-    influence = deflection.influence(7, 5, 2e-4, 1e-4, contact_modulus=MODULUS)
+    influence = deflection.influence(2e-4 * np.arange(7), 1e-4 * np.arange(5), contact_modulus=MODULUS)
     for i, j in ((0, 0), (6, 4), (2, 3)):
         total = sum(pressure[k, m] * influence[abs(i - k), abs(j - m)] for k in range(7) for m in range(5))
         assert bent[i, j] == pytest.approx(total, rel=1e-12)

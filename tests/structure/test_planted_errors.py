@@ -8,15 +8,20 @@ import sys
 import pytest
 
 from tests.helpers.paths import ROOT, TESTS
-from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
-from tools.transpile_kernel import translate
+from tests.helpers.plant_errors import copies, translate_all
+from tests.helpers.planted import ERRORS, planted, source_of
+from tests.helpers.random_errors import drawn_lines, random_errors
+from tools.transpile_kernel import Module, run_pyccel, translate
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
-def test_an_error_can_be_planted_in_today_s_kernel(error):
+def test_an_error_can_be_planted_in_today_s_sources(error):
     text = source_of(error).read_text(encoding="utf-8")
-    assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text))
-    assert list((TESTS / error.first).glob("test_*.py"))
+    changed = planted(text, error)
+    assert changed != text
+    if source_of(error).suffix == ".py":
+        assert ast.dump(ast.parse(changed)) != ast.dump(ast.parse(text))
+    assert (TESTS / error.first).is_file() or list((TESTS / error.first).glob("test_*.py"))
 
 
 def test_names_are_unique():
@@ -27,6 +32,24 @@ def test_random_errors_can_be_planted():
     for error in random_errors(20, seed=3):
         text = source_of(error).read_text(encoding="utf-8")
         assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text)), error
+
+
+def test_lines_at_random_are_the_same_for_a_seed():
+    lines = drawn_lines(30, seed=5)
+    assert lines == drawn_lines(30, seed=5) != drawn_lines(30, seed=6)
+    for line in lines:
+        name, number, text = line.split(":", 2)
+        assert (ROOT / name).read_text(encoding="utf-8").splitlines()[int(number) - 1].strip() == text.strip()
+
+
+def test_a_translation_within_a_worker_of_a_test_run_has_the_usual_folder(tmp_path, monkeypatch):
+    """Pyccel names its folder after the worker."""
+    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
+    monkeypatch.setenv("PYTEST_XDIST_WORKER", "gw7")
+    file = tmp_path / "half.py"
+    file.write_text("def half(x: float):\n    return 0.5 * x\n")
+    header, code = run_pyccel([Module(file)])["half"]
+    assert "double half__half(double x)" in header and "return 0.5 * x;" in code
 
 
 @pytest.mark.slow

@@ -29,14 +29,18 @@ def manchester():
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 def test_rolls_of_the_manchester_benchmark(model):
-    """Published rolls have four digits, and CONTACT's equilibrium of heights closes to 1 um, 7e-7 rad."""
+    """Published rolls have four digits, and CONTACT's equilibrium of heights closes to 1 um, 7e-7 rad.
+
+    Bounds are 1.3 (mean) and 1.5 times what is measured."""
     shift, yaw, roll, force, transfer = np.array(list(manchester())).T
     found = elastic(normal_model=model).evaluate_many(shift, yaw, force, transfer)
     assert not np.any(found.status)
     error = np.abs(found.roll - roll)
     near = shift <= 6.5e-3
-    assert error[near].max() < 1.2e-6        # [rad]; measured 3e-7
-    assert error.max() < 4e-5                # measured 2.7e-6
+    assert error[near].mean() < 1.9e-7       # [rad] measured 1.4e-7
+    assert error[near].max() < 4.5e-7        # measured 2.8e-7, strips 3.0e-7
+    assert error.mean() < 6.6e-7             # measured 4.7e-7, strips 5.1e-7
+    assert error.max() < 3.9e-6              # measured 2.4e-6, strips 2.6e-6
     rigid = np.abs(system(normal_model=model).evaluate_many(shift, yaw, force, transfer).roll - roll)
     assert rigid[1:].min() > 1.5e-6 and rigid.max() > 7e-5
     assert np.all(rigid[1:] > 4 * error[1:])

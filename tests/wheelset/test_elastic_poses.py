@@ -217,9 +217,6 @@ def test_a_penetration_is_refused(mode):
     with pytest.raises(ValueError,
                        match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"):
         system(contact_mode=mode).evaluate(penetration=5e-5)
-    with pytest.raises(ValueError,
-                       match=f"contact_mode is '{mode}'; permitted with .* 'halfspace'.*is 'rigid'"):
-        wrcontact.ContactSystem(contact_mode=mode, normal_model="halfspace")
 
 
 def test_bad_heights_and_rolls_are_told_and_forgotten():

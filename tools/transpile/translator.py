@@ -24,9 +24,11 @@ def run_pyccel(modules):
         command = [sys.executable, str(START), "make",
                    "--language", "C", "--convert-only", "--output", "out", "--files",
                    *(f"{module.name}.py" for module in modules)]
+        # Pyccel would name its folder after the worker of a test run, as __pyccel__gw0
+        environment = {name: value for name, value in os.environ.items() if name != "PYTEST_XDIST_WORKER"}
         run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE,
                              stderr=subprocess.STDOUT,
-                             env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
+                             env={**environment, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
         if run.returncode:
             raise Refused(f"Pyccel says\n{run.stdout}")
         out = Path(folder, "out", "__pyccel__")

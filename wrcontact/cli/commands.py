@@ -1,5 +1,6 @@
 """The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check`` and ``figures``."""
 
+import os
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -157,7 +158,8 @@ def sweep(load, system,
         _write_sweep(file, system, shifts, load, remark)
         print(f"{len(shifts)} rows written to {file.path}")
     else:
-        table = system.evaluate_many(lateral_shift=shifts, outputs=SWEEP_OUTPUTS, **load)
+        table = system.evaluate_many(lateral_shift=shifts, outputs=SWEEP_OUTPUTS,
+                                     processes=os.cpu_count() or 1, **load)
         remark.add(table)
         if not remark.useless:
             print_sweep(table, step)
@@ -170,7 +172,7 @@ def sweep(load, system,
 def _write_sweep(file, system, shifts, load, remark):
     """Write the sweep part by part; no file if no row has a contact."""
     with sentences(), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
-        for part in system.evaluate_parts(lateral_shift=shifts, **load):
+        for part in system.evaluate_parts(lateral_shift=shifts, processes=os.cpu_count() or 1, **load):
             write(part)
             remark.add(part)
             advance(len(part))

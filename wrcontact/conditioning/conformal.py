@@ -3,7 +3,7 @@
 The *close stretch* is the part of the undeformed wheel around a rigid contact that is less than NEAR from the
 rail, measured along the contact's normal.  If it is long or its direction changes much, three difficulties
 arise: the contact position depends on micrometres of the profiles, the patch is not the ellipse of the
-curvatures at one point, and a half-space with a single normal is not a good model.
+curvatures at one point, and a model with a single normal is not good.
 """
 
 import math

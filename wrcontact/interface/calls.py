@@ -1,6 +1,7 @@
 """How a call gives inputs and parameters: values and signatures from the rows of the table."""
 
 from inspect import Parameter, Signature, signature
+from numbers import Integral
 
 import numpy as np
 
@@ -62,6 +63,12 @@ def wrong_input(values, array):
     return ValueError(f"the inputs have the shapes {shapes}; permitted are arrays of one length")
 
 
+def check_processes(processes):
+    """Refuse a number of processes that is no whole number from 1 on, with a ValueError."""
+    if isinstance(processes, bool) or not isinstance(processes, Integral) or processes < 1:
+        raise ValueError(f"processes is {processes!r}; permitted is a whole number from 1 on")
+
+
 def describe_inputs(function):
     """Give ``evaluate`` or ``evaluate_many`` its signature, and the words of the inputs."""
     found = signature(function).parameters
@@ -70,7 +77,8 @@ def describe_inputs(function):
         for row in sorted(INPUTS, key=lambda row: not row.positional)
     ]
     function.__signature__ = Signature(
-        [found["self"], *rows, *(found[name] for name in ("penetration", "side", "outputs"))]
+        [found["self"], *rows, *(found[name] for name in ("penetration", "side", "outputs", "processes")
+                                 if name in found)]
     )
     _fill(function, "{inputs}", [f"        {row.name} : {row.meaning} [{row.unit}]." for row in INPUTS])
 

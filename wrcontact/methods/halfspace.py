@@ -7,10 +7,11 @@ from .numbers import frozen
 
 @frozen
 class Halfspace(NormalModel):
-    """Complete elastic half-space on the true three-dimensional gap (wrcontact/reference/halfspace.py).
+    """Complete elastic half-space on the true three-dimensional gap, whose normals turn with the surfaces
+    (wrcontact/reference/halfspace.py).
 
-    It needs scipy, so an FMU does not have it.  A wheel takes some hundredths of a second, seconds where
-    narrow patches lie far apart.  ``tolerance`` [1] is the relative error of its grid, 0.005 where None.
+    It needs scipy, so an FMU does not have it.  A wheel takes some tenths of a second, seconds where narrow
+    patches lie far apart.  ``tolerance`` [1] is the relative error of its grid, 0.005 where None.
     """
 
     name = "halfspace"
@@ -20,7 +21,6 @@ class Halfspace(NormalModel):
     words = "complete half-space theory on the true gap"
     python_only = True
     needs = {
-        "solves one wheel at its rigid contact": {"contact_mode": "rigid", "load": "normal"},
         "knows the whole surface": {
             "longitudinal_curvature": "effective",
             "separation": "normal",

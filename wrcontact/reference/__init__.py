@@ -1,2 +1,2 @@
-"""The complete theory: the elastic half-space on the true gap. Python only; the models of the kernel
-are measured against it."""
+"""The complete theory: elastic bodies on the true gap, along normals that turn with the surfaces. Python
+only; the models of the kernel are measured against it."""

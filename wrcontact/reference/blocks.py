@@ -7,30 +7,31 @@ import numpy as np
 from scipy import ndimage
 
 from .boxes import around, enlarged, hull, merged, touched_sides
-from .deflection import BlockDeflection
 from .edge import EDGE_PAD, loaded_area, peak_pressure
-from .one_grid import constrained_gradients, estimate_penetration
+from .gradients import constrained_gradients, estimate_penetration
 from .refinement import CELL_LIMIT, area_doubt, changes, estimate_error
 from .solution import HalfspaceContact
-from .window import PATCH_CELLS
+from .window import MINOR_PATCH, PATCH_CELLS
+
+MINOR_CELLS = 5          # over a patch that carries less than MINOR_PATCH, on the first grid
 
 
-def refine_blocks(gap_function, domain, groups, load, tolerance):
-    """As :func:`refine`, each group of boxes on its own grid, all with equal cells."""
-    boxes = [box for group in groups for box in group]
-    hulls = [hull(group) for group in groups]
-    cell = [max(min(box[k + 1] - box[k] for box in boxes) / PATCH_CELLS,
+def refine_blocks(problem, patches, tolerance):
+    """As :func:`refine`, each group of patches on its own grid, all with equal cells.  ``patches`` are
+    boxes with their shares of the load."""
+    hulls = [hull(group) for group in merged([box for box, _ in patches])]
+    cell = [max(min((box[k + 1] - box[k]) / (PATCH_CELLS if share >= MINOR_PATCH else MINOR_CELLS)
+                    for box, share in patches),
                 max(each[k + 1] - each[k] for each in hulls) / (8 * PATCH_CELLS)) for k in (0, 2)]
-    answer = "force" if load["force"] is None else "penetration"
     previous, before, iterations = None, None, 0
     error = {}
     while True:
         if len(hulls) * np.prod(_blocks(hulls, cell)[0]) > CELL_LIMIT:
             raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
                                   f"{max(error.values(), default=1):.2g}; permitted are {CELL_LIMIT} cells")
-        found = _solve_blocks(gap_function, domain, hulls, cell, load, previous)
+        found = _solve_blocks(problem, hulls, cell, previous)
         iterations += found.iterations
-        wider = _outgrown(found, hulls, cell, domain)
+        wider = _outgrown(found, hulls, cell, problem.domain)
         if wider != hulls:
             # grids that grew into each other become one
             hulls = [hull(group) for group in merged(wider)]
@@ -38,13 +39,15 @@ def refine_blocks(gap_function, domain, groups, load, tolerance):
         if previous is None:
             hulls = [hull(group) for group in merged(_fitted(found, hulls, cell))]
         else:
-            change = changes(previous, found, answer)
+            change = changes(previous, found, problem.wanted)
             error = {name: estimate_error(before[name], now) if before else now
                      for name, now in change.items()}
             error["area"] = max(error["area"], area_doubt(found))
-            if before is not None and max(error.values()) <= tolerance:
+            # a first change counts as one of first order
+            if max(error.values()) <= tolerance:
                 return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
             before = change
+        problem = problem.near(found.penetration)
         previous, cell = found, [0.5 * size for size in cell]
 
 
@@ -58,26 +61,28 @@ def _blocks(hulls, cell):
     return shape, np.array(first)
 
 
-def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
+def _solve_blocks(problem, hulls, cell, guess):
     """The contact on one grid a hull, on the rows and columns of all of them."""
     shape, first = _blocks(hulls, cell)
     centres = [tuple((start[k] + 0.5 + np.arange(shape[k])) * cell[k] for k in (0, 1)) for start in first]
-    gap = np.stack([gap_function(x, s) for x, s in centres])
-    deflect = BlockDeflection(gap.shape, first, *cell, load["contact_modulus"])
+    surfaces = problem.surfaces
+    gap = np.stack([surfaces.gap(x, s) for x, s in centres])
+    angle, share = (np.stack([of(s) for _, s in centres]) for of in (surfaces.angle, surfaces.share))
+    share = share[:, None, :]
+    deflect = problem.deflection(gap.shape, *cell, angle, first)
     area = cell[0] * cell[1]
     if guess is None:
-        level = load["penetration"] if load["force"] is None else estimate_penetration(
-            gap.ravel(), area, load["contact_modulus"], load["force"])
-        start = np.sqrt(np.maximum(level - gap, 0.0))
+        level = problem.penetration if problem.force is None else estimate_penetration(
+            (gap / share).ravel(), area, problem.contact_modulus, problem.force)
+        start = np.sqrt(np.maximum(level * share - gap, 0.0))
     else:
         start = np.stack([_sampled(guess, x, s) for x, s in centres])
     # two grids may share cells: the first one has them
     free = _owned(first, shape)
     gap = np.where(free, gap, math.inf)
     start = np.where(np.isfinite(gap), start, 0.0)
-    total = None if load["force"] is None else load["force"] / area
-    pressure, clearance, delta, iterations = constrained_gradients(start, gap, deflect, total,
-                                                                   load["penetration"], load["precision"])
+    pressure, clearance, delta, iterations = constrained_gradients(
+        start, gap, deflect, problem, cell=area, share=share, weight=problem.weight(angle)[:, None, :])
     rows, columns = (np.unique(np.concatenate([start[k] + np.arange(shape[k]) for start in first]))
                      for k in (0, 1))
     whole, apart = np.zeros((len(rows), len(columns))), np.full((len(rows), len(columns)), math.nan)
@@ -86,9 +91,10 @@ def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
         here = slice(i, i + shape[0]), slice(j, j + shape[1])
         whole[here] += pressure[k]
         apart[here] = np.where(free[k], clearance[k], apart[here])
-    return HalfspaceContact((rows + 0.5) * cell[0], (columns + 0.5) * cell[1], whole, apart, delta,
-                            float(whole.sum() * area), float(loaded_area(whole) * area), peak_pressure(whole),
-                            iterations)
+    s = (columns + 0.5) * cell[1]
+    return HalfspaceContact((rows + 0.5) * cell[0], s, whole, apart, delta, float(whole.sum() * area),
+                            float(loaded_area(whole) * area), peak_pressure(whole), iterations,
+                            angle=surfaces.angle(s))
 
 
 def _owned(first, shape):

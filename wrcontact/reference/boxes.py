@@ -3,6 +3,9 @@
 import numpy as np
 from scipy import ndimage
 
+#: Share of the area of one grid below which several grids for the patches are solved faster.
+APART = 0.4
+
 
 def centres(box, counts):
     """Centres (n,), (m,) of n x m cells that fill a box."""
@@ -41,11 +44,13 @@ def enlarged(box, touched, domain, share):
 
 
 def loaded_boxes(found):
-    """Box around each connected run of loaded cells that is more than a stray one."""
+    """Box around each connected run of loaded cells, and its share of the load."""
     dx, ds = found.x[1] - found.x[0], found.s[1] - found.s[0]
-    labels, _ = ndimage.label(found.pressure > 0.0, np.ones((3, 3)))
-    return [(found.x[rows][0] - 0.5 * dx, found.x[rows][-1] + 0.5 * dx, found.s[columns][0] - 0.5 * ds,
-             found.s[columns][-1] + 0.5 * ds) for rows, columns in ndimage.find_objects(labels)]
+    labels, count = ndimage.label(found.pressure > 0.0, np.ones((3, 3)))
+    loads = ndimage.sum_labels(found.pressure, labels, np.arange(1, count + 1))
+    return [((found.x[rows][0] - 0.5 * dx, found.x[rows][-1] + 0.5 * dx, found.s[columns][0] - 0.5 * ds,
+              found.s[columns][-1] + 0.5 * ds), load / loads.sum())
+            for (rows, columns), load in zip(ndimage.find_objects(labels), loads)]
 
 
 def merged(boxes):
@@ -58,6 +63,13 @@ def merged(boxes):
         if pair is None:
             return groups
         groups[pair[1]] += groups.pop(pair[0])
+
+
+def are_apart(groups):
+    """Whether grids for each of the ``groups`` of boxes have much less cells than one for all."""
+    areas = [(box[1] - box[0]) * (box[3] - box[2])
+             for box in (*map(hull, groups), hull([box for group in groups for box in group]))]
+    return len(groups) > 1 and sum(areas[:-1]) < APART * areas[-1]
 
 
 def hull(boxes):

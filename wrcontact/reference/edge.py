@@ -42,20 +42,20 @@ def edge_field(pressure):
 def _continued(square, known):
     """``square`` continued by one cell around the ``known`` ones, and which are known then: by parabolas
     through three cells in line, which are exact for Hertz's p^2, or straight where only two are known."""
-    total, count = np.zeros(square.shape), np.zeros(square.shape)
+    places = np.nonzero(ndimage.binary_dilation(known, np.ones((3, 3))) & ~known)
+    total, count = np.zeros(len(places[0])), np.zeros(len(places[0]))
     for step in DIRECTIONS:
-        one, two, three = (_shifted(square, step, k) for k in (1, 2, 3))
-        straight = ~known & _shifted(known, step, 1) & _shifted(known, step, 2)
-        curved = straight & _shifted(known, step, 3)
+        lines = [tuple(place - k * away for place, away in zip(places, step)) for k in (1, 2, 3)]
+        one, two, three = (square[line] for line in lines)
+        straight = known[lines[0]] & known[lines[1]]
+        curved = straight & known[lines[2]]
         total += np.where(curved, 3.0 * (one - two) + three, np.where(straight, 2.0 * one - two, 0.0))
         count += straight
-    reached = count > 0.0
-    square[reached] = total[reached] / count[reached]
-    return square, known | reached
-
-
-def _shifted(array, step, times):
-    return np.roll(array, (times * step[0], times * step[1]), (0, 1))
+    reached = tuple(place[count > 0.0] for place in places)
+    square[reached] = total[count > 0.0] / count[count > 0.0]
+    known = known.copy()
+    known[reached] = True
+    return square, known
 
 
 def loaded_area(pressure):

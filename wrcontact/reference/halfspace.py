@@ -14,25 +14,28 @@ The bodies touch where the pressure p is positive; the equations (H1) ... are th
 
 Pressure is constant on each cell of a grid. Its deflection u is a convolution (Love 1929; Johnson 1985,
 section 3.3), done by fast Fourier transform; the pressures follow by conjugate gradients that keep p >= 0
-(Polonsky and Keer 1999, Wear 231, 206-219). :func:`solve` takes a grid; :func:`solve_contact` finds the patch
-and refines the grid until the answer stands.
+(Polonsky and Keer 1999, Wear 231, 206-219). :func:`solve_contact` takes the gap over a plane as a function,
+finds the patch and refines the grid until the answer stands. :func:`solve_problem` does this for any
+surfaces; those of a wheel and its rail have normals that turn (turning_gap.py), and pressures act on each
+other with the cosine of the angle between them.
 
 Lengths in m, pressures in Pa, forces in N; x along the first axis of every array, s along the second.
 """
 
 from .blocks import refine_blocks
-from .boxes import loaded_boxes, merged
+from .boxes import are_apart, loaded_boxes, merged
 from .checks import check_load, check_number, checked_domain
-from .missed import missed, ridge
+from .flat_gap import FlatGap
+from .missed import missed
+from .problem import Problem
 from .refinement import refine, solve_window
-from .window import find_window
 
 #: Error in penetration (or force), area and peak pressure at which a grid is fine enough.
 TOLERANCE = 5e-3
 TOLERANCE_RANGE = (3e-4, 0.1)     # the edge is known to EDGE_DOUBT: less would take more than CELL_LIMIT
 #: The residual is reduced to this share of the tolerance, so that it does not count in the grid's error.
 RESIDUAL_SHARE = 1e-3
-LOOK_REPEATS = 5
+LOOK_REPEATS = 7
 
 
 def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None,
@@ -40,8 +43,8 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     """The contact for any gap: finds the patches, fits a grid to them, and refines it
     until the answer stands.
 
-    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`); where they do,
-    or patches have been missed at first, each group of patches has its own grid.
+    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`).  Each group of
+    patches has its own grid where they are far apart, or where patches have been missed at first.
 
     Parameters
     ----------
@@ -71,26 +74,25 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     if not TOLERANCE_RANGE[0] <= tolerance <= TOLERANCE_RANGE[1]:
         raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... "
                          f"{TOLERANCE_RANGE[1]:g}")
-    load = {"contact_modulus": contact_modulus, "force": force, "penetration": penetration,
-            "precision": RESIDUAL_SHARE * tolerance}
-    window = find_window(gap_function, domain, contact_modulus=contact_modulus, force=force,
-                         penetration=penetration)
-    coarse = solve_window(gap_function, domain, window, load)
-    if not coarse.pressure.any():
-        return coarse
-    look = ridge(gap_function, domain)
-    boxes = missed(gap_function, domain, look, coarse, contact_modulus)
-    if not boxes:
-        found = refine(gap_function, domain, coarse, load, tolerance)
-        boxes = missed(gap_function, domain, look, found, contact_modulus)
-        if not boxes:
-            return found
-        coarse = found
+    return solve_problem(Problem(FlatGap(gap_function), domain, contact_modulus, force, penetration,
+                                 RESIDUAL_SHARE * tolerance), tolerance)
+
+
+def solve_problem(problem, tolerance=TOLERANCE):
+    """The contact of a :class:`~wrcontact.reference.problem.Problem`, over a plane or where the patches turn;
+    as :func:`solve_contact`."""
+    found = solve_window(problem, problem.surfaces.window(problem))
+    if not found.pressure.any():
+        return found
+    ridge = problem.surfaces.ridge(problem.domain)
     for _ in range(LOOK_REPEATS):
-        found = refine_blocks(gap_function, domain, merged(loaded_boxes(coarse) + boxes), load, tolerance)
-        boxes = missed(gap_function, domain, look, found, contact_modulus)
-        if not boxes:
+        boxes = missed(problem, ridge, found)
+        if found.error and not boxes:
             return found
-        coarse = found
+        # what a patch that has been missed will carry is not known, but little
+        patches = loaded_boxes(found) + [(box, 0.0) for box in boxes]
+        found = (refine_blocks(problem, patches, tolerance)
+                 if boxes or are_apart(merged([box for box, _ in patches]))
+                 else refine(problem, found, tolerance))
     raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is "
                           "none")

@@ -1,4 +1,4 @@
-"""A half-space contact as solved patches, the outputs of its wheel, and its resultant."""
+"""A pressed wheel as solved patches, its outputs, and its resultant."""
 
 import math
 
@@ -7,26 +7,27 @@ from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.patch.totals import write_patches
-from ..profiles.compiled import evaluate_table
 from .edge import chords, edge_area, edge_field, extent, peak_pressure
 
 #: Components of the loaded cells with less than this share of the load are no patches.
 STRAY_SHARE = 1e-6
 
 
-def write_side(side, plane, contact, index, outline=None):
-    """Normal contact of the wheel of side ``index`` into its outputs: totals, patches by falling load, force
-    and moment; and into ``outline`` (3, stations), if that is wanted. Force and moment (6,)."""
+def write_side(side, wheel, index, centre, outline=None):
+    """Normal contact of the :class:`PressedWheel` of side ``index`` into its outputs: totals, patches by
+    falling load, force and moment about the wheelset's ``centre`` (3,) in the frame of a right wheel; and
+    into ``outline`` (3, stations), if that is wanted.  Force and moment (6,)."""
+    contact = wheel.contact
     lengths, low, high = extents(contact)
     mirror = 2.0 * index - 1.0
-    solved = solved_patches(plane, contact)
-    for patch in solved.patches[:solved.count]:
-        fill_force(patch, plane, mirror)
+    solved = solved_patches(wheel, mirror)
     write_patches(solved, layout.SideOutputs.at(side))
-    side[layout.SIDE_PENETRATION] = contact.penetration
     if outline is not None:
         write_outline(outline, contact, lengths, low, high)
-    return write_resultant(side, solved, plane.centre * [1.0, mirror, 1.0])
+    total = resultant(wheel, centre) * [1.0, mirror, 1.0, mirror, 1.0, mirror]
+    side[layout.SIDE_FORCE:layout.SIDE_FORCE + 3] = total[:3]
+    side[layout.SIDE_MOMENT:layout.SIDE_MOMENT + 3] = total[3:]
+    return total
 
 
 def extents(contact):
@@ -36,14 +37,16 @@ def extents(contact):
     return chords(edge) * (contact.x[1] - contact.x[0]), low, high
 
 
-def solved_patches(plane, contact):
-    """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`.
+def solved_patches(wheel, mirror=1.0):
+    """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`;
+    ``mirror`` is -1 for a left wheel, whose forces are the mirrored ones.
 
     A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of
     the strips, and the wheel's abscissa and the slant of a patch.
     """
+    contact = wheel.contact
     solved = layout.SolvedPatches()
-    found = [describe_patch(layout.SolvedPatch(), plane, contact, pressure)
+    found = [describe_patch(layout.SolvedPatch(), wheel, pressure, mirror)
              for pressure in split_patches(contact)[:layout.SOLVED_PATCH_LIMIT]]
     solved.count = len(found)
     lengths, low, high = extents(contact)
@@ -62,12 +65,10 @@ def solved_patches(plane, contact):
     return solved
 
 
-def describe_patch(patch, plane, contact, pressure):
+def describe_patch(patch, wheel, pressure, mirror):
     """The record ``patch`` of the patch with these pressures (n, m), and its strips, an array of the record
-    SolvedStrip.
-
-    Its contact angle is the rail's at its centroid.
-    """
+    SolvedStrip."""
+    contact, surfaces = wheel.contact, wheel.surfaces
     dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
     edge, line = edge_field(pressure), pressure.sum(axis=0)
     low, high = extent(edge)
@@ -76,14 +77,13 @@ def describe_patch(patch, plane, contact, pressure):
     fill_totals(patch.totals, line.sum() * dx * ds, edge_area(edge) * dx * ds, centroid,
                 peak_pressure(pressure), lengths.max(), (_station(contact, low), _station(contact, high)),
                 (high - low) * ds)
-    patch.contact_angle = angle = plane.rail_angle(centroid)
-    patch.cos, patch.sin = math.cos(angle), -math.sin(angle)
-    patch.rail, patch.station = plane.rail_abscissa(centroid), centroid
-    patch.x = pressure.sum(axis=1) @ contact.x / pressure.sum()
+    patch.station, patch.x = centroid, pressure.sum(axis=1) @ contact.x / pressure.sum()
+    patch.rail = float(surfaces.curve.at("rail_y", centroid)) - surfaces.pair.rail_y
     patch.wheel = patch.slant = math.nan
     patch.rule = layout.RULE_STRAIGHT
     loaded = np.flatnonzero(line > 0.0)
-    patch.local_penetration = contact.penetration - plane.gap(np.array([patch.x]), contact.s[loaded]).min()
+    patch.local_penetration = surfaces.overlap(contact.s[loaded]).max()
+    fill_force(patch, wheel, line * dx * ds, mirror)
     strips = np.zeros(len(loaded), layout.SolvedStrip)
     strips["station"], strips["width"] = contact.s[loaded], ds
     strips["x"] = contact.x @ pressure[:, loaded] / line[loaded]
@@ -126,26 +126,28 @@ def _station(contact, place):
     return contact.s[near] + (place - near) * ds
 
 
-def fill_force(patch, plane, mirror):
-    """The force on the wheel of a described patch, along the normal of the rail at its centre of load, which
-    is the mean normal of its pressure; ``mirror`` = 1 on the right, -1 on the left."""
-    s, force = patch.totals.centroid, patch.force
-    height = plane.rail_height(np.array([s]))[0]
-    place = plane.origin + [patch.x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
-    on_wheel = plane.attitude[:, 1] @ (place - plane.centre) - plane.arm
-    force.y, force.z = mirror * patch.sin * patch.totals.load, -patch.cos * patch.totals.load
+def fill_force(patch, wheel, loads, mirror):
+    """The force on the wheel of a patch, the sum of the ``loads`` (m,) [N] of its columns along their
+    normals, its angle, and its centre of load."""
+    surfaces, angle = wheel.surfaces, wheel.contact.angle
+    across, down = -loads @ np.sin(angle), -loads @ np.cos(angle)
+    force = patch.force
+    force.y, force.z = mirror * across, down
+    patch.contact_angle = math.atan2(-across, -down)
+    patch.cos, patch.sin = math.cos(patch.contact_angle), -math.sin(patch.contact_angle)
+    place = surfaces.place(patch.x, patch.station)
     force.x_track, force.y_track, force.z_track = place[0], mirror * place[1], place[2]
-    force.rolling_radius = plane.radius + float(evaluate_table(plane.wheel, on_wheel)[0])
+    force.rolling_radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
 
 
-def write_resultant(side, solved, centre):
-    """The force on a wheel [N] from its solved patches, and its moment about the wheelset's ``centre`` (3,)
-    in the track frame [N m], into its outputs; both, (6,)."""
-    total = np.zeros(6)
-    for patch in solved.patches[:solved.count]:
-        force = np.array([0.0, patch.force.y, patch.force.z])
-        place = np.array([patch.force.x_track, patch.force.y_track, patch.force.z_track])
-        total += np.concatenate([force, np.cross(place - centre, force)])
-    side[layout.SIDE_FORCE:layout.SIDE_FORCE + 3] = total[:3]
-    side[layout.SIDE_MOMENT:layout.SIDE_MOMENT + 3] = total[3:]
-    return total
+def resultant(wheel, centre):
+    """Force on a right wheel [N] and its moment about ``centre`` (3,) in the track frame [N m], (6,): each
+    column of pressures acts along its own normal."""
+    contact, curve = wheel.contact, wheel.surfaces.curve
+    cell = (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
+    loads, levers = contact.pressure.sum(axis=0) * cell, contact.x @ contact.pressure * cell
+    y, z = curve.at("y", contact.s) - centre[1], curve.at("z", contact.s) - centre[2]
+    along, down = -np.sin(contact.angle), -np.cos(contact.angle)
+    levers = levers - centre[0] * loads
+    return np.array([0.0, loads @ along, loads @ down,
+                     loads @ (y * down - z * along), -levers @ down, levers @ along])

@@ -6,49 +6,48 @@ import numpy as np
 from scipy import ndimage
 
 from .boxes import centres, enlarged, touched_sides
-from .one_grid import solve
+from .one_grid import solve_grid
 from .solution import HalfspaceContact
 from .window import fit_window
 
 COARSE_CELLS = 24        # per side of the first window
 WINDOW_REPEATS = 12
 CELL_LIMIT = 2_000_000   # of a grid
-EDGE_DOUBT = 0.03        # [cells]; what is left of a patch's edge, as the error of an area
+EDGE_DOUBT = 0.05        # [cells]; what is left of a patch's edge, as the error of an area
 
 
-def solve_window(gap_function, domain, window, load):
+def solve_window(problem, window):
     """The contact on a coarse grid over ``window``, made larger until the patch lies inside."""
     for _ in range(WINDOW_REPEATS):
-        found = _solve_on(gap_function, window, (COARSE_CELLS, COARSE_CELLS), load, None)
+        found = solve_grid(problem, *centres(window, (COARSE_CELLS, COARSE_CELLS)))
         touched = touched_sides(found.pressure)
         if not any(touched):
             return found
-        window = enlarged(window, touched, domain, 0.4)
+        window = enlarged(window, touched, problem.domain, 0.4)
     raise ArithmeticError(f"the patch reaches beyond x = {window[0]:g} ... {window[1]:g} m, s = "
                           f"{window[2]:g} ... {window[3]:g} m after {WINDOW_REPEATS} enlargements")
 
 
-def refine(gap_function, domain, coarse, load, tolerance):
+def refine(problem, coarse, tolerance):
     """Grids fitted to the patches of ``coarse``, with cells halved until the answer stands
     within ``tolerance``. (H7)"""
     window, counts = fit_window(coarse)
-    answer = "force" if load["force"] is None else "penetration"
-    found, iterations, before = coarse, coarse.iterations, None
+    previous, found, iterations, before = coarse, coarse, coarse.iterations, None
     while True:
-        previous, found = found, _solve_on(gap_function, window, counts, load,
-                                           _resampled(found, window, counts))
+        found = solve_grid(problem.near(found.penetration), *centres(window, counts),
+                           _resampled(found, window, counts))
         iterations += found.iterations
         touched = touched_sides(found.pressure)
         if any(touched):
-            window, counts = _widened(window, counts, touched, domain)
+            window, counts = _widened(window, counts, touched, problem.domain)
             continue
-        change = changes(previous, found, answer)
+        change = changes(previous, found, problem.wanted)
         error = change if before is None else {name: estimate_error(before[name], now)
                                                for name, now in change.items()}
         error["area"] = max(error["area"], area_doubt(found))
         if before is not None and max(error.values()) <= tolerance:
             return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
-        before, counts = change, tuple(2 * n for n in counts)
+        previous, before, counts = found, change, tuple(2 * n for n in counts)
         if counts[0] * counts[1] > CELL_LIMIT:
             raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
                                   f"{max(error.values()):.2g} on {counts[0] // 2} x {counts[1] // 2} cells; "
@@ -60,11 +59,6 @@ def _widened(window, counts, touched, domain):
     wider = enlarged(window, touched, domain, 0.1)
     stretch = [(wider[k + 1] - wider[k]) / (window[k + 1] - window[k]) for k in (0, 2)]
     return wider, tuple(math.ceil(count * factor) for count, factor in zip(counts, stretch))
-
-
-def _solve_on(gap_function, window, counts, load, guess):
-    x, s = centres(window, counts)
-    return solve(x, s, gap_function(x, s), guess=guess, **load)
 
 
 def _resampled(contact, window, counts):

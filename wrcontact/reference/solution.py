@@ -12,12 +12,13 @@ class HalfspaceContact:
     Attributes
     ----------
     x, s : cell centres (n,), (m,) [m]; evenly spaced, but for jumps where patches far from
-    each other have their own grids.
+        each other have their own grids.
+    angle : of the normals at s (m,) [rad].
     pressure : (n, m) [Pa], zero where the bodies are apart.
     clearance : distance of the deformed bodies u + h - delta (n, m) [m], zero to the precision where they
         touch; NaN where rows of one grid cross columns of another.
     penetration : delta, approach of distant points of the bodies [m].
-    force : N [N].
+    force : N, the sum of all pressures [N].
     area : of the loaded cells, the edge found within the cells [m^2]; see
     :func:`~wrcontact.reference.edge.loaded_area`.
     max_pressure : [Pa], see :func:`~wrcontact.reference.edge.peak_pressure`.
@@ -35,4 +36,5 @@ class HalfspaceContact:
     area: float
     max_pressure: float
     iterations: int
+    angle: np.ndarray
     error: dict = field(default_factory=dict)

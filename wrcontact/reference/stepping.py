@@ -1,5 +1,5 @@
 """A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel
-is then solved on its true gap. A step takes a few hundredths of a second."""
+is then pressed into its rail (:mod:`pressed_wheel`).  A step takes some tenths of a second."""
 
 import math
 from functools import partial
@@ -11,15 +11,19 @@ from ..kernel.binding.library import default_kernel
 from ..progress import tracked
 from ..state import outline_of
 from ..status import Status
-from . import halfspace
+from .equilibrium import find_equilibrium, stand_of
+from .halfspace import TOLERANCE
 from .outputs import write_side
-from .true_gap import REACH_S, REACH_X, contact_plane
+from .pressed_wheel import Settings, press
+from .wheel_on_rail import wheel_on_rail
+
+SIDES = layout.OUT_LEFT, layout.OUT_RIGHT
 
 
 def halfspace_solver(tolerance=None):
     """What :class:`~wrcontact.Stepper` binds its arrays with; ``tolerance`` as for
     :class:`~wrcontact.ContactSystem`."""
-    return partial(HalfspaceSolver, halfspace.TOLERANCE if tolerance is None else tolerance)
+    return partial(HalfspaceSolver, TOLERANCE if tolerance is None else tolerance)
 
 
 class HalfspaceSolver:
@@ -35,9 +39,10 @@ class HalfspaceSolver:
 
     def __init__(self, tolerance, tables, state, workspace, inputs, outputs):
         self.tolerance, self._tables, self._workspace = tolerance, tables, workspace
-        self._inputs, self._outputs, self._rigid = inputs, outputs, np.zeros_like(outputs)
-        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._rigid)
+        self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry)
         self.compiled = self._kernel.compiled
+        self._pressed = None
         self._answer, self._status = None, None
 
     def step(self):
@@ -49,19 +54,13 @@ class HalfspaceSolver:
         status = self._kernel.step()
         if status > Status.UNLOADED:
             return status
-        answer, total = self._rigid.copy(), np.zeros(6)
-        sides = (layout.OUT_LEFT, layout.OUT_RIGHT)
         try:
-            for index, first in enumerate(tracked(sides, "half-space of one pose", alone=True)):
-                side = answer[first:first + layout.SIDE_SIZE]
-                if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                    total += self._solve(index, side, outline_of(answer, first))
+            answer, status = self._solve(status)
         except ArithmeticError:
             return int(Status.NOT_CONVERGED)
-        if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
-            answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
-        self._outputs[:] = answer
-        self._answer, self._status = answer, status
+        if status <= Status.UNLOADED:
+            self._outputs[:] = answer
+            self._answer, self._status = answer, status
         return status
 
     def step_many(self, count, inputs, outputs, statuses):
@@ -78,16 +77,100 @@ class HalfspaceSolver:
         return (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
 
-    def _solve(self, index, side, outline):
-        """Replace the normal contact and outline of one loaded side by the half-space's; its
-        part of the resultant (6,)."""
-        plane = contact_plane(self._tables, self._rigid, self._inputs, index)
-        penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
-        load = ({"penetration": penetration} if math.isfinite(penetration)
-                else {"force": side[layout.SIDE_NORMAL_FORCE]})
-        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S),
-                                          tolerance=self.tolerance,
-                                          contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
+    @property
+    def _settings(self):
+        return Settings(self._tables[layout.SET_CONTACT_MODULUS], 0.0,
+                        self._tables[layout.SET_LOAD] == layout.LOAD_VERTICAL, self.tolerance)
+
+    def _solve(self, status):
+        """Outputs and status of a step whose geometry the kernel has found."""
+        if self._tables[layout.SET_MODE] == layout.MODE_ELASTIC and (self._force(0) > 0.0
+                                                                      or self._force(1) > 0.0):
+            geometry, wheels, status = self._balanced()
+        else:
+            geometry = self._geometry
+            wheels = [partial(self._pressed_side, index) for index in range(2)]
+        answer, total = geometry.copy(), np.zeros(6)
+        for index, first in enumerate(tracked(SIDES, "half-space of one pose", alone=True)):
+            side = answer[first:first + layout.SIDE_SIZE]
+            if side[layout.SIDE_NORMAL_FORCE] > 0.0:
+                total += self._write(answer, index, side, wheels[index]())
+            elif not math.isfinite(side[layout.SIDE_NORMAL_FORCE]):      # this side is not wanted
+                total[:] = math.nan
+        answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
+        return answer, status
+
+    def _write(self, answer, index, side, wheel):
+        """The outputs of a pressed wheel instead of the kernel's; its part of the resultant (6,)."""
+        depth = side[layout.SIDE_PENETRATION]
+        if self._tables[layout.SET_MODE] == layout.MODE_RIGID:
+            depth = wheel.contact.penetration * math.cos(side[layout.SIDE_CONTACT_ANGLE])
+        outline = outline_of(answer, SIDES[index])
         side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        return write_side(side, plane, contact, index,
-                          outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
+        centre = self._pair(index, answer[layout.OUT_ROLL], answer[layout.OUT_VERTICAL_SHIFT]).centre
+        total = write_side(side, wheel.counted_from(self._contact(index, side)[0]), index, centre,
+                           outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
+        side[layout.SIDE_PENETRATION] = depth
+        return total
+
+    def _pair(self, index, roll, height):
+        """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
+        return wheel_on_rail(self._tables, index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
+                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height)
+
+    def _contact(self, index, side):
+        """Place of the contact point across and down, in the frame of a right wheel."""
+        return (2.0 * index - 1.0) * side[layout.SIDE_Y_TRACK], side[layout.SIDE_Z_TRACK]
+
+    def _force(self, index):
+        """The force that is prescribed for a side [N]."""
+        transfer = (2.0 * index - 1.0) * self._inputs[layout.IN_LOAD_TRANSFER]
+        return self._inputs[layout.IN_NORMAL_FORCE] * (1.0 + transfer)
+
+    def _pressed_side(self, index):
+        """The pressed wheel of a side where the kernel has found its contact: rigid or compliant."""
+        side = self._geometry[SIDES[index]:]
+        pair = self._pair(index, self._geometry[layout.OUT_ROLL], self._geometry[layout.OUT_VERTICAL_SHIFT])
+        steep = math.cos(side[layout.SIDE_CONTACT_ANGLE])
+        depth = side[layout.SIDE_PENETRATION] / steep
+        if self._tables[layout.SET_MODE] == layout.MODE_COMPLIANT:
+            return press(pair.lowered(-depth), self._settings, penetration=depth)
+        # the kernel's contact is one to its tolerance
+        apart = pair.distance(side[layout.SIDE_X_TRACK], *self._contact(index, side),
+                              side[layout.SIDE_CONTACT_ANGLE])
+        prescribed = self._tables[layout.SET_PENETRATION_LEFT + index]
+        load = ({"penetration": prescribed / steep} if math.isfinite(prescribed)
+                else {"force": self._force(index), "estimate": depth})
+        return press(pair.lowered(apart / steep), self._settings, **load)
+
+    def _balanced(self):
+        """Geometry, functions that return both pressed wheels, and status of an elastic wheelset."""
+        roll, height = self._geometry[layout.OUT_ROLL], self._geometry[layout.OUT_VERTICAL_SHIFT]
+        settings, arm = self._settings, self._tables[layout.SET_ARM]
+        heights = {0: height, 1: height}
+
+        def stand(index, roll, tolerance, last):
+            found = stand_of(self._pair(index, roll, heights[index]), index, settings.at(tolerance),
+                             self._force(index), last)
+            heights[index] = found.height
+            return found
+
+        roll, stands = find_equilibrium(stand, roll, arm, settings.tolerance)
+        geometry, status = self._geometry_at(roll, 0.5 * (stands[0].height + stands[1].height))
+        return geometry, [lambda wheel=each.wheel: wheel for each in stands], status
+
+    def _geometry_at(self, roll, height):
+        """The kernel's outputs and status for a wheelset with this roll [rad] and vertical shift [m]."""
+        if self._pressed is None:
+            arrays = (self._tables.copy(), np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
+                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs))
+            arrays[0][layout.SET_MODE] = layout.MODE_COMPLIANT
+            self._pressed = default_kernel().bind(*arrays), *arrays
+        kernel, tables, _, workspace, inputs, outputs = self._pressed
+        for place in (layout.SET_SIDES, layout.SET_DEPTH):
+            tables[place] = self._tables[place]
+        workspace[layout.WORK_KNOWN] = 0.0
+        inputs[:] = self._inputs
+        inputs[layout.IN_ROLL], inputs[layout.IN_VERTICAL_SHIFT] = roll, height
+        status = kernel.step()
+        return outputs, status

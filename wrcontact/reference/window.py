@@ -6,7 +6,7 @@ import numpy as np
 from scipy import ndimage
 
 from .boxes import around, centres, clipped
-from .one_grid import estimate_penetration
+from .gradients import estimate_penetration
 
 SAMPLES = 48             # per side, of a box in which the patch is sought
 ZOOM_LIMIT = 40
@@ -18,14 +18,14 @@ MINOR_PATCH = 0.02
 MARGIN_CELLS = 2         # free cells around the patch
 
 
-def find_window(gap_function, domain, *, contact_modulus, force=None, penetration=None):
+def find_window(gap_function, problem):
     """(x_low, x_high, s_low, s_high) [m] of what the penetration reaches, all patches together.
 
     Bodies touch only where h < delta. A box is sampled, and shrinks to the samples that are, or may have
     between them, a gap below the given or estimated penetration; between samples a gap dips below them by a
     quarter of their second differences at most, if those resolve it.
     """
-    box = domain
+    box, domain, force = problem.domain, problem.domain, problem.force
     for _ in range(ZOOM_LIMIT):
         x, s = centres(box, (SAMPLES, SAMPLES))
         dx, ds = x[1] - x[0], s[1] - s[0]
@@ -33,11 +33,11 @@ def find_window(gap_function, domain, *, contact_modulus, force=None, penetratio
         if not np.isfinite(gap).any():
             raise ArithmeticError(f"there is no surface between x = {box[0]:g} ... {box[1]:g} m and s = "
                                   f"{box[2]:g} ... {box[3]:g} m; permitted are domains with a finite gap")
-        level = penetration
+        level = problem.penetration
         if force is not None:
             lowest = float(gap.min())
-            level = lowest + WINDOW_MARGIN * (estimate_penetration(gap, dx * ds, contact_modulus, force)
-                                              - lowest)
+            estimate = estimate_penetration(gap, dx * ds, problem.contact_modulus, force)
+            level = lowest + WINDOW_MARGIN * (estimate - lowest)
         near = gap - dip(gap) <= max(level, gap.min())
         shrunk = clipped(around(near, x, s, dx, ds, 1.5), domain)
         if all(shrunk[k + 1] - shrunk[k] > ZOOM_ENOUGH * (box[k + 1] - box[k]) for k in (0, 2)):

@@ -4,6 +4,7 @@ import pytest
 
 from tests.helpers.cases import INPUT_NAMES, OUTPUT_NAMES, RUNS, stored
 from tests.helpers.fmus import assert_same, needs_compiler, session, stepped
+from tests.helpers.output_witnesses import SCENES, Scene
 from wrcontact.interface.variables import VARIABLES
 
 pytestmark = needs_compiler
@@ -41,6 +42,15 @@ def test_trajectory_by_simulate_fmu(run, run3):
             wanted = stepped(made, row)
             for name in names:      # another history: the warm start's last digits
                 assert found[name] == pytest.approx(wanted[name], rel=1e-9, abs=1e-12), name
+
+
+@pytest.mark.parametrize("name", ["yawed", pytest.param("three_patches", marks=pytest.mark.slow)])
+def test_outputs_are_what_their_witnesses_say(run, run3, name):
+    """As of tests/interface/test_witnesses.py, read through the C of both versions."""
+    start, inputs, _ = SCENES[name]
+    for run_version in (run, run3):
+        (seen,) = run_version("trajectory", rows=[inputs], names=OUTPUT_NAMES, start=start)["seen"]
+        assert list(Scene(name, seen).misses()) == []
 
 
 PARAMETER_SETS = {

@@ -1,0 +1,86 @@
+"""Generated tables of README and docs: they are written from what is kept, and what is kept is what the
+measurement gives today."""
+
+import re
+
+import numpy as np
+import pytest
+
+from benchmarks import pages, parts, rows, store
+from benchmarks.tables import TABLES
+from tests.helpers.paths import ROOT
+from tests.helpers.same_numbers import differences
+
+#: Errors that another file's test computes again, since it has them anyway.
+ELSEWHERE = {"en15302"}        # tests/conditioning/test_en15302.py
+QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS and name not in ELSEWHERE]
+#: Studies of at most some minutes; the half-space's own rows have a test below.
+LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
+
+
+@pytest.mark.parametrize("page", sorted({table.page for table in TABLES.values()}))
+def test_pages_are_what_is_kept(page):
+    """If this fails: ``python -m benchmarks --write --render``."""
+    assert (ROOT / page).read_text(encoding="utf-8") == pages.pages()[page]
+
+
+def test_every_table_stands_once_in_its_page():
+    texts = ["README.md", *(f"docs/{path.name}" for path in ROOT.glob("docs/*.md"))]
+    written = [(page, name) for page in texts for name in pages.names(page)]
+    assert sorted(written) == sorted((table.page, name) for name, table in TABLES.items())
+
+
+def test_every_part_is_in_a_table_and_kept():
+    assert {name for table in TABLES.values() for name in table.parts} == set(parts.PARTS)
+    assert {path.stem for path in store.FOLDER.glob("*.json")} == set(parts.PARTS)
+
+
+def test_tables_say_of_which_commit_they_are():
+    """And, with times, the unit and how noisy the run was."""
+    for page in {table.page for table in TABLES.values()}:
+        text = (ROOT / page).read_text(encoding="utf-8")
+        for found in pages.PATTERN.finditer(text):
+            table = TABLES[found[1]]
+            kinds = {parts.PARTS[name].kind for name in table.parts}
+            timed, others = parts.TIMES in kinds, kinds != {parts.TIMES}
+            assert ("Times are those of commit `" in found[0]) == timed, found[1]
+            assert ("Errors and counts are those of commit `" in found[0]) == others, found[1]
+            if timed:
+                assert "`np.sqrt` of 2000 doubles between them" in found[0]
+                assert re.search(r"µs at best, \d+ % more in the median and \d+ % more at the 95th", found[0])
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_errors_are_those_of_today(name):
+    """If this fails, a table is out of date: ``python -m benchmarks --write errors``."""
+    found = store.short(parts.PARTS[name].measure(rows.FULL))
+    assert differences(found, store.load(name)["rows"]) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LONG)
+def test_studies_are_those_of_today(name):
+    """If this fails: ``python -m benchmarks --write studies``."""
+    found = store.short(parts.PARTS[name].measure(rows.FULL))
+    assert differences(found, store.load(name)["rows"]) == []
+
+
+@pytest.mark.slow
+def test_the_half_space_is_that_of_today():
+    """Its first row, on the positions."""
+    row = next(iter(rows.halfspace(rows.FULL)))
+    row.every = 160       # one row of the hunting run
+    found, kept = store.short(row.errors()), store.load("halfspace")["rows"][row.name]
+    for run in ("positions mean", "positions worst"):
+        assert differences(found[run], kept[run]) == []
+
+
+def test_a_changed_number_is_seen():
+    kept = {"row": {"mean": [0.7, 1.8], "worst": 39.6, "words": "as before"}}
+    assert differences(kept, kept) == []
+    for changed in ({"row": {"mean": [0.72, 1.8], "worst": 39.6, "words": "as before"}},
+                    {"row": {"mean": [0.7, 1.8], "worst": 40.0, "words": "as before"}},
+                    {"row": {"mean": [0.7, 1.8], "worst": np.nan, "words": "as before"}},
+                    {"row": {"mean": [0.7, 1.8], "worst": 39.6, "words": "otherwise"}},
+                    {"row": {"mean": [0.7], "worst": 39.6, "words": "as before"}}, {}):
+        assert len(differences(changed, kept)) == 1

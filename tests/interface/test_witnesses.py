@@ -1,0 +1,80 @@
+"""Every output of the FMUs has its name, its unit and its value from a table that is not the one that made
+it.
+
+The table is WITNESSES in tests/helpers/output_witnesses.py: brute force, a half-space, Hertz and identities.
+"""
+
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.helpers.output_witnesses import SCENES, WITNESSES, Scene, folded
+from wrcontact.fmu import description, description3
+from wrcontact.simulation.session import Session
+
+PAGES = {"python": description.model_description("", "", "", {}),
+         "native_fmi2": description.model_description("", "", "", {}, ["model.c"]),
+         "native_fmi3": description3.model_description("", "", "", {}, ["model.c"])}
+#: Without friction no force acts along the track.
+ZERO = {"force.x", "side.force.x", "side.patch[k].force.x"}
+STATIONS = 31
+
+
+def outputs(page):
+    """{name: (unit, value reference, type)} of a model description's outputs; the elements of arrays one by
+    one."""
+    found = {}
+    for variable in ElementTree.fromstring(page).find("ModelVariables"):
+        if variable.get("causality") == "output":
+            kind = variable if variable.tag != "ScalarVariable" else variable[0]
+            row = kind.get("unit"), int(variable.get("valueReference")), kind.tag
+            name = variable.get("name")
+            numbers = range(1, STATIONS + 1) if variable.findall("Dimension") else ()
+            found |= {f"{name}[{j}]": row for j in numbers} or {name: row}
+    return found
+
+
+def answered(name):
+    """The outputs in a scene: set and read as an importer does, by the references of the model
+    description."""
+    page = ElementTree.fromstring(PAGES["python"])
+    known = {v.get("name"): (int(v.get("valueReference")), v[0].tag) for v in page.find("ModelVariables")}
+    start, inputs, _ = SCENES[name]
+    session = Session(tell=lambda sentence: None)
+    for key, value in {**start, **inputs}.items():
+        reference, kind = known[key]
+        (session.set_strings if kind == "String" else session.set_reals)([reference], [value])
+    session.start()
+    session.step()
+    values = {}
+    for key, (_, reference, kind) in outputs(PAGES["python"]).items():
+        (values[key],) = (session.get_integers if kind == "Integer" else session.get_reals)([reference])
+    return values
+
+
+@pytest.fixture(scope="module")
+def scenes():
+    return {name: Scene(name, answered(name)) for name in SCENES}
+
+
+@pytest.mark.parametrize("kind", PAGES)
+def test_every_output_has_a_witness_of_its_name_and_unit(kind):
+    found = outputs(PAGES[kind])
+    assert len(found) == 336 + 1        # and the status
+    assert {folded(name)[0] for name in found} == set(WITNESSES)
+    for name, (unit, _, _) in found.items():
+        assert unit == WITNESSES[folded(name)[0]][0], name
+    assert list(found) == list(outputs(PAGES["python"]))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_output_is_what_its_witnesses_say(scenes, name):
+    assert list(scenes[name].misses()) == []
+
+
+def test_every_output_is_asked_on_both_sides_for_a_number_that_is_not_zero(scenes):
+    patterns = {folded(name)[:2] for name in scenes["centred"].values}
+    asked = {folded(name)[:2] for scene in scenes.values() for name in scene.values
+             if any(abs(wanted) > 2 * tolerance for wanted, tolerance in scene.wanted(name))}
+    assert {pattern for pattern, _ in patterns - asked} == ZERO
+    assert scenes["three_patches"].values["right.patch_count"] == 3
