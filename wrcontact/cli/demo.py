@@ -47,10 +47,6 @@ TOLERANCES = (
 #: must be within the tolerance.
 LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
 LEAST_WITHIN = 0.97
-#: The stored patches lie in one plane, that of the contact point.  wrcontact gives a patch whose normal
-#: differs by more than this angle [rad] a plane of its own (wrcontact/kernel/contact/planes.py); the largest
-#: pressure is then not compared.
-LEANING = radians(15)
 
 
 @dataclass(frozen=True)
@@ -213,28 +209,13 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     """:class:`Check` of the variables ``names`` of all ``owners``, in ``unit``."""
     variables = [owner + name for owner in owners for name in names]
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
-    asked = np.array([is_asked(answers, name) for name in variables])
-    deviations[~asked] = 0.0
     which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)),
                                   deviations.shape)
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
     place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
-    within = int(np.sum(deviations[asked] <= tolerance))
+    within = int(np.sum(deviations <= tolerance))
     largest = float(np.where(np.isnan(deviations), np.inf, deviations)[which, row])
-    return Check(quantity, largest, tolerance, unit, within, int(asked.sum()), place)
-
-
-def is_asked(answers, name):
-    """Steps (n,) in which output ``name`` is compared: all, except largest pressures with a patch in another
-    plane."""
-    wheel, _, quantity = name.partition(".")
-    steps = np.ones(len(answers["status"]), dtype=bool)
-    for k in range(1, layout.PATCH_LIMIT + 1):
-        patch = f"{wheel}.patch[{k}]."
-        if quantity == "max_pressure" and f"{patch}contact_angle" in answers:
-            leans = np.abs(answers[f"{patch}contact_angle"] - answers[f"{wheel}.contact_angle"]) > LEANING
-            steps &= ~(leans & (answers[f"{patch}normal_force"] > 0.0))
-    return steps
+    return Check(quantity, largest, tolerance, unit, within, deviations.size, place)
 
 
 def deviation(found, wanted, unit):
@@ -272,8 +253,7 @@ def tell(folder, fmu, checks, seconds):
     out.print(check_table(checks))
     out.print("penetration, area and pressure are compared with complete half-space theory; a check is ok if "
               f"{LEAST_WITHIN:.0%} of the values are within the tolerance and none exceeds "
-              f"{', '.join(f'{limit:g}' for limit in LARGEST.values())} %; pressures are not compared where "
-              "a patch has a plane of its own, since the stored patches lie in one plane", soft_wrap=True)
+              f"{', '.join(f'{limit:g}' for limit in LARGEST.values())} %", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed

@@ -1,4 +1,4 @@
-"""ANALYN followed by a strip correction."""
+"""The strip model: strips that press on each other."""
 
 from .normal_model import NormalModel, Resolution, node_count, tolerance_from
 from .numbers import frozen, whole
@@ -15,7 +15,7 @@ STRIP_LADDER = {
 
 @frozen
 class Strip(NormalModel):
-    """ANALYN, corrected by strips on one half-space.
+    """Strips of a patch that press on each other.
 
     ``tolerance`` [1] is the relative error of the numerics; ``strips``, ``sweeps`` (how often they are
     corrected) and ``nodes`` per half-width replace what it needs.
@@ -23,7 +23,7 @@ class Strip(NormalModel):
 
     name = "analyn_strip"
     kernel_number = 2
-    words = "ANALYN followed by a strip correction"
+    words = "strips that press on each other"
     ladder = STRIP_LADDER
 
     tolerance: float | None = tolerance_from(min(STRIP_LADDER))
@@ -32,13 +32,13 @@ class Strip(NormalModel):
         None,
         16,
         64,
-        "Strips of the strip correction, instead of those that the tolerance needs",
+        "Strips of the strip model, instead of those that the tolerance needs",
         python_only=True,
     )
     sweeps: int | None = whole(
         None,
         1,
         4,
-        "Sweeps of the strip correction, instead of those that the tolerance needs",
+        "Sweeps of the strip model, instead of those that the tolerance needs",
         python_only=True,
     )

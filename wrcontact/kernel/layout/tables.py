@@ -37,7 +37,7 @@ class Tables:
     penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed
     nodes: int                      # nodes per half-width of the interpenetration, a multiple of five
     stride: int                     # every so many of them are traced on the profiles
-    strips: int                     # strips of the strip correction that are asked for
+    strips: int                     # strips of the strip model that are asked for
     sweeps: int                     # and how often it is made
     influence: To(InfluenceTable)   # how its strips displace the half-space beside them
     starts: To(Starts)

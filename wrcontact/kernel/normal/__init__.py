@@ -1,1 +1,1 @@
-"""Models of the normal contact: Hertz, ANALYN, strip correction."""
+"""Models of the normal contact: Hertz, ANALYN, strips."""
