@@ -24,9 +24,9 @@ WORST = {"penetration": 0.16, "area": 0.18, "max_pressure": 0.30}
 # [m]; [rad], and 77 1/m times the arc that belongs to
 RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}
 POSITION_ON_THE_STEP = 6e-4  # [m]
-#: The stored patches are those of a half-space on one plane, the contact point's. A flange patch that leans
-#: away from it has a plane of its own here, in which the half-space has its pressure too (test_halfspace.py):
-#: half of what is stored.
+#: The stored patches of "hunting" and "jumps" are those of a half-space on one plane, the contact point's. A
+#: flange patch that leans away from it has a plane of its own here, in which the half-space has its pressure
+#: too (test_halfspace.py): half of what is stored.
 LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value; measured 0.44
 LEAST_UPRIGHT = 0.85  # share of a run's wheels that have no such patch
 # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
