@@ -142,13 +142,14 @@ def test_the_independent_program_sinks_as_deep(system, track):
 
 def test_left_is_the_mirror_image(system):
     """The left wheel at -y, -yaw is the right one at y, yaw: everything but the signs of y in the track
-    frame, of lateral forces, and of moments about x and z."""
+    frame, of lateral forces, and of moments about x and z; to the residual of the pressures, 5e-6 of the
+    largest deflection."""
     shift, yaw = 5.1e-3, 0.012
     right = system.evaluate(shift, yaw, 6e4).values[layout.OUT_RIGHT:].copy()
     left = system.evaluate(MIRROR[0] * shift, MIRROR[1] * yaw,
                            6e4).values[layout.OUT_LEFT:layout.OUT_RIGHT].copy()
     left *= side_signs()
-    np.testing.assert_allclose(left, right, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(left, right, rtol=5e-6, atol=1e-9)
 
 
 def test_outputs_of_a_wheel_fit_together(system):
