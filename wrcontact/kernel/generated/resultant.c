@@ -108,7 +108,8 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
     {
         cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)));
     }
-    /* from the region's smallest gap to the part's centre of load, along its plane; none has one that pulls */
+    /* from the region's smallest gap to the part's centre of load, along its plane; a part that carries less */
+    /* than nothing (patch/filling.py) has no such centre */
     away = 0.0;
     if (load > 0.0)
     {

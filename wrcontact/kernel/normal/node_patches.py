@@ -19,7 +19,14 @@ from ..layout import (
     SolvedStrip,
     SolvedStrips,
 )
-from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches, remove_unloaded
+from ..patch.filling import (
+    add_part,
+    begin_patch,
+    clear_patches,
+    finish_patch,
+    finish_patches,
+    remove_unloaded,
+)
 from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
 from .analyn import clip_to_bound
 

@@ -77,7 +77,8 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
     cosine = frame.plane.cos
     if frame.pressed or block.own:
         cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
-    # from the region's smallest gap to the part's centre of load, along its plane; none has one that pulls
+    # from the region's smallest gap to the part's centre of load, along its plane; a part that carries less
+    # than nothing (patch/filling.py) has no such centre
     away = 0.0
     if load > 0.0:
         away = part.moment / load - block.offset - block.station
