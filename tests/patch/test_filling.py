@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from wrcontact.kernel.layout import SolvedPatches, size
-from wrcontact.kernel.patch.filling import add_part, finish_patches, remove_unloaded
+from wrcontact.kernel.patch.filling import add_part, finish_patches
 
 
 def filled(loads, parts=None):
@@ -42,7 +42,6 @@ def carried(solved):
                           ((-1.0,), [-1.0], [0])], ids=str)
 def test_a_patch_without_load_counts_for_the_one_before_or_behind(loads, wanted, places):
     solved = filled(loads)
-    remove_unloaded(solved)
     finish_patches(solved)
     found, parts, where = carried(solved)
     assert found == parts == wanted and where == [4e-3 * place for place in places]
@@ -55,7 +54,7 @@ def test_a_patch_without_load_counts_for_the_one_before_or_behind(loads, wanted,
 def test_what_a_region_carries_stays_in_it():
     """Its normal is its own."""
     solved = filled((5.0, -1.0, 4.0), [(0, 0, 5.0), (1, 0, -2.0), (1, 1, 1.0), (2, 1, 4.0)])
-    remove_unloaded(solved)
+    finish_patches(solved)
     found = [(part.patch, part.region, part.load)
              for part in (solved.parts[k] for k in range(solved.part_count)) if part.load]
     assert carried(solved)[0] == [4.0, 4.0] and found == [(0, 0, 3.0), (0, 1, 1.0), (1, 1, 4.0)]

@@ -259,7 +259,7 @@ static inline int64_t filling__hand_part(array_double_1d work, int64_t number, i
     return INT64_C(0);
 }
 
-/* The totals of all patches, and their ranks, when the last patch is finished. */
+/* The totals of all patches that carry load, and their ranks, when the last patch is finished. */
 static inline int64_t filling__finish_patches(array_double_1d work)
 {
     int64_t count;
@@ -269,6 +269,7 @@ static inline int64_t filling__finish_patches(array_double_1d work)
     int64_t rank;
     int64_t heaviest;
     int64_t ranked;
+    filling__remove_unloaded(work);
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {

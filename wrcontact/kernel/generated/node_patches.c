@@ -39,7 +39,6 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
         }
     }
     filling__finish_patch(work);
-    filling__remove_unloaded(work);
     filling__finish_patches(work);
     return INT64_C(0);
 }

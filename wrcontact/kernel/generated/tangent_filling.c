@@ -323,6 +323,7 @@ static inline int64_t tangent_filling__finish_patches_t(array_double_1d work, ar
     int64_t rank;
     int64_t heaviest;
     int64_t ranked;
+    tangent_filling__remove_unloaded_t(work, work_t);
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {

@@ -40,7 +40,6 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
         }
     }
     tangent_filling__finish_patch_t(work, work_t);
-    tangent_filling__remove_unloaded_t(work, work_t);
     tangent_filling__finish_patches_t(work, work_t);
     return INT64_C(0);
 }

@@ -19,14 +19,7 @@ from ..layout import (
     SolvedStrip,
     SolvedStrips,
 )
-from ..patch.filling import (
-    add_part,
-    begin_patch,
-    clear_patches,
-    finish_patch,
-    finish_patches,
-    remove_unloaded,
-)
+from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
 from .analyn import clip_to_bound
 
@@ -50,7 +43,6 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
             for k in range(region.first, region.last):
                 add_cell(solved, region, index, nodes[index], k, angle)
     finish_patch(solved)
-    remove_unloaded(solved)
     finish_patches(solved)
     return 0
 

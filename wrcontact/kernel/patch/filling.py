@@ -194,7 +194,8 @@ def hand_part(solved: SolvedPatches, number: int, heir: int):
 
 
 def finish_patches(solved: SolvedPatches):
-    """The totals of all patches, and their ranks, when the last patch is finished."""
+    """The totals of all patches that carry load, and their ranks, when the last patch is finished."""
+    remove_unloaded(solved)
     count = solved.count
     totals = solved.totals
     for index in range(count):
