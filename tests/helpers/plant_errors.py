@@ -36,7 +36,7 @@ from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from tests.helpers.paths import ROOT, TESTS
+from tests.helpers.paths import ROOT
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
@@ -55,6 +55,9 @@ NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "venv", "__pycache__", ".*_
                                     "*.dylib", "*.dll", "build", "dist", "*.egg-info")
 #: The quick tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
+
+#: Exit codes of pytest: a wrong call, and no tests.
+NO_TESTS = (4, 5)
 
 Outcome = namedtuple("Outcome", "error seen test seconds")
 
@@ -111,11 +114,12 @@ def run_tests(tree, tests, *options):
     return run.returncode, failed[1] if failed else ""
 
 
-def ordered_tests(first, short):
-    """The test files: those of the room or the file named first, of the kernel's rooms, and all others unless
-    ``short``."""
-    places = [TESTS / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [TESTS])
-    names = dict.fromkeys(path.relative_to(ROOT).as_posix() for place in places
+def ordered_tests(tree, first, short):
+    """The test files of a copy: those of the room or the file named first, of the kernel's rooms, and all
+    others unless ``short``."""
+    tests = tree / "tests"
+    places = [tests / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [tests])
+    names = dict.fromkeys(path.relative_to(tree).as_posix() for place in places
                           for path in ([place] if place.is_file() else sorted(place.rglob("test_*.py"))))
     return [name for name in names if name not in NO_WITNESS]
 
@@ -126,6 +130,8 @@ def examine(error, tree, tests):
     begin = time.perf_counter()
     left_out = [f"--deselect={name}" for name in NO_WITNESS if "::" in name]
     code, test = run_tests(tree, tests, "-x", *left_out)
+    if code in NO_TESTS:
+        raise RuntimeError(f"pytest ended with exit code {code}: it has not run what it was asked for")
     if code is None:
         test = "the tests had no end"
     elif code != 0 and not test:
@@ -163,7 +169,7 @@ def plant(errors, workers, tests):
             for name, text in files.items():
                 (tree / "wrcontact" / "kernel" / "generated" / name).write_bytes(text.encode())
         with ThreadPoolExecutor(workers) as pool:
-            outcomes = list(pool.map(lambda pair: examine(*pair, tests(pair[0])), zip(errors, trees)))
+            outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair)), zip(errors, trees)))
         compile_tree(plain)
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
         return outcomes, not seen_by or run_tests(plain, seen_by)[0] == 0
@@ -200,8 +206,11 @@ def main(arguments=None):
         return 0
     begin = time.perf_counter()
     print("| error | module | meaning | seen by | after |\n|---|---|---|---|---|", flush=True)
-    outcomes, right = plant(errors, options.workers,
-                            lambda error: options.tests or ordered_tests(error.first, options.short))
+
+    def tests(error, tree):
+        return options.tests or ordered_tests(tree, error.first, options.short)
+
+    outcomes, right = plant(errors, options.workers, tests)
     seen = sum(outcome.seen for outcome in outcomes)
     print(f"\n{seen} of {len(outcomes)} errors are seen, in {time.perf_counter() - begin:.0f} s")
     if not right:

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from tests.helpers.paths import ROOT, TESTS
-from tests.helpers.plant_errors import copies, translate_all
+from tests.helpers.plant_errors import copies, ordered_tests, translate_all
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 from tools.transpile_kernel import Module, run_pyccel, translate
@@ -50,6 +50,13 @@ def test_a_translation_within_a_worker_of_a_test_run_has_the_usual_folder(tmp_pa
     file.write_text("def half(x: float):\n    return 0.5 * x\n")
     header, code = run_pyccel([Module(file)])["half"]
     assert "double half__half(double x)" in header and "return 0.5 * x;" in code
+
+
+def test_the_tests_of_an_error_s_room_run_first_and_all_others_after_them():
+    names = ordered_tests(ROOT, "search", False)
+    assert names[0].startswith("tests/search/") and len(set(names)) == len(names) > 80
+    assert ordered_tests(ROOT, "search/test_rigid.py", True)[0] == "tests/search/test_rigid.py"
+    assert all((ROOT / name).is_file() for name in names)
 
 
 @pytest.mark.slow

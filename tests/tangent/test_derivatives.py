@@ -46,12 +46,13 @@ CLEAR = 3e-7        # [likewise] differences that agree with each other to this 
 KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
 # steps of differences, each twice the one before; the first, as a share of the input's nominal value:
 STEPS = 16
+SHORT = 3           # the first of them, which end before most kinks that the others cross
 FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
 
 INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)
 COMPLIANT_INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_VERTICAL_SHIFT, IN_ROLL)
-#: Parameters, and the share of clear differences that may be off: some lie across a kink that their steps do
-#: not notice; the source's curvatures have one at each of their nodes.
+#: Parameters, and the share of clear differences that may be off: some lie across a kink that neither their
+#: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes.
 CASES = {
     "hertz": ({"normal_model": "hertz"}, 0.0),
     "analyn": ({}, 1e-3),
@@ -59,14 +60,14 @@ CASES = {
     "strip": ({"normal_model": "analyn_strip"}, 1e-3),
     "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
     "elastic": ({"contact_mode": "elastic"}, 1e-3),
-    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 2e-2),
+    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 1e-2),
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),
-    "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 1e-2),
+    "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 3e-3),
     "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"},
                        1e-3),
-    "smooth": ({"lateral_curvature": "smooth"}, 1e-2),
-    "rough": ({"lateral_curvature": "rough"}, 1e-2),
+    "smooth": ({"lateral_curvature": "smooth"}, 1e-3),
+    "rough": ({"lateral_curvature": "rough"}, 1e-3),
 }
 QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
 SLOW = pytest.mark.slow
@@ -101,7 +102,7 @@ def derivative(stepper, row, seed):
 
 def differences(stepper, row, number):
     """Central differences along one input, extrapolated from two steps each, where neighbouring ones agree
-    best; and how far these are apart."""
+    best; how far these are apart; and the middle one of those over the SHORT steps, which are noisier."""
     found = []
     for k in range(STEPS):
         step = FIRST[number] * USUAL[number] * 2.0**k
@@ -116,7 +117,7 @@ def differences(stepper, row, number):
     apart = np.abs(np.diff(sharper, axis=0))
     apart = np.nan_to_num(np.maximum(apart[:-1], apart[1:]), nan=np.inf)
     best, columns = apart.argmin(axis=0), np.arange(OUTPUT_COUNT)
-    return sharper[best + 1, columns], apart[best, columns]
+    return sharper[best + 1, columns], apart[best, columns], np.median(found[:SHORT], axis=0)
 
 
 def scale(rates, number):
@@ -130,7 +131,11 @@ def scale(rates, number):
 @pytest.mark.parametrize("case",
                          [case if case in QUICK else pytest.param(case, marks=SLOW) for case in CASES])
 def test_derivatives_are_those_of_differences(case):
-    """All continuous outputs against all inputs at random poses."""
+    """All continuous outputs against all inputs at random poses.
+
+    Differences that agree best may all lie across one kink: with strips one is 20 nm from the first pose. The
+    forces there are off by 2e-6 together, of the wheelset, the wheel and its patch, over steps of 30 nm and
+    more, while derivatives agree with steps of 4 ... 16 nm to 2e-8. So what is off is held against those."""
     parameters, kinked = CASES[case]
     mode = parameters.get("contact_mode", "rigid")
     stepper = wrcontact.ContactSystem(**parameters).stepper()
@@ -139,9 +144,11 @@ def test_derivatives_are_those_of_differences(case):
         for number in COMPLIANT_INPUTS if mode == "compliant" else INPUTS:
             status, rates = derivative(stepper, row, number)
             assert status <= layout.UNLOADED and np.isfinite(rates).all()
-            wanted, apart = differences(stepper, row, number)
+            wanted, apart, near = differences(stepper, row, number)
             size = scale(rates, number)
-            deviations.append((np.abs(rates - wanted) / size)[CONTINUOUS])
+            deviation = np.abs(rates - wanted) / size
+            across = (deviation > AGREE) & (np.abs(rates - near) <= AGREE * size)
+            deviations.append(np.where(across, np.abs(rates - near) / size, deviation)[CONTINUOUS])
             spreads.append((apart / size)[CONTINUOUS])
     deviations, spreads = np.concatenate(deviations), np.concatenate(spreads)
     clear = spreads <= CLEAR
@@ -208,7 +215,7 @@ def test_elastic_stand_on_a_jump_moves_with_it():
     row = np.array([4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01, 0.0, 0.0])
     for number in INPUTS:
         status, rates = derivative(stepper, row, number)
-        wanted, apart = differences(stepper, row, number)
+        wanted, _, _ = differences(stepper, row, number)
         assert status == layout.VALID
         # brackets end at 1e-13 m, and these differences are over 1e-4 of nominal inputs
         assert rates[:2] == pytest.approx(wanted[:2], rel=1e-3)

@@ -10,6 +10,7 @@ import math
 import numpy as np
 import pytest
 
+import wrcontact
 from tests.helpers.cases import FORCE, LOADS, MODELS, POSES, system
 from tests.helpers.elastic import placed_rail, rail_slope_along
 from tests.helpers.numpy_profiles import compile_profile
@@ -97,6 +98,28 @@ def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
             assert patch.rolling_radius == pytest.approx(radius, abs=4e-4 * max(1.0, abs(slope)))
         assert side.patches[0].penetration == pytest.approx(side.penetration, rel=0.6)
         assert 0.0 < side.patches[0].penetration <= side.penetration * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("rail, methods",
+                         [("UIC60", {}), ("60E1", {"separation": "equidistant"}),
+                          ("54E1", {"separation": "vertical", "longitudinal_curvature": "basic"})],
+                         ids=["UIC60", "60E1", "54E1"])
+@pytest.mark.parametrize("load", LOADS)
+def test_a_sliver_that_carries_less_than_nothing_is_no_patch(rail, methods, load):
+    """Between two jumps of the source's curvatures the quadratic of the line load can be negative all over a
+    loaded piece: -46 N of 78.5 kN at 6 mm. The force is that of the load that is held, and of its patches."""
+    pair = wrcontact.ContactSystem(rail=rail, load=load, lateral_curvature="rough", **methods)
+    state = pair.evaluate(6e-3, 0.0, FORCE)
+    for side in (state.left, state.right):
+        held = -side.force.z if load == "vertical" else side.normal_force
+        assert held == pytest.approx(FORCE, rel=1e-9)    # the force is satisfied to 1e-9 in the kernel
+        assert len(side.patches) == side.patch_count
+        assert all(patch.normal_force > 0.0 for patch in side.patches)
+        carried = sum(patch.normal_force for patch in side.patches)
+        assert carried == pytest.approx(side.normal_force, rel=1e-12)
+        assert sum(patch.area for patch in side.patches) == pytest.approx(side.area, rel=1e-12)
+        np.testing.assert_allclose(sum(vector(patch.force) for patch in side.patches), vector(side.force),
+                                   rtol=0, atol=1e-12 * FORCE)
 
 
 @pytest.mark.parametrize("mode", MODES)

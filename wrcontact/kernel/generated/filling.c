@@ -154,7 +154,112 @@ static inline int64_t filling__complete_totals(array_double_1d work, int64_t tot
     return INT64_C(0);
 }
 
-/* The totals of all patches, and their ranks, when the last patch is finished. */
+/* Take away patches that carry nothing in sum: between jumps of the curvatures the quadratic of the line
+ * load can be negative all over a sliver.  What they carry counts for their neighbours, so that the patches
+ * carry together what the regions do.
+ */
+static inline int64_t filling__remove_unloaded(array_double_1d work)
+{
+    int64_t index;
+    index = INT64_C(0);
+    while(((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(1)) && (index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)))))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0)
+        {
+            index += INT64_C(1);
+        }
+        else
+        {
+            filling__remove_patch(work, index);
+            index = INT64_C(0);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Take a finished patch away; the one before, or else the one behind it gets its load and its area. */
+static inline int64_t filling__remove_patch(array_double_1d work, int64_t index)
+{
+    int64_t heir;
+    int64_t from_totals;
+    int64_t totals;
+    int64_t number_end;
+    int64_t number;
+    int64_t part;
+    int64_t following_end;
+    int64_t following;
+    int64_t patch;
+    int64_t behind;
+    int64_t i;
+    heir = index - INT64_C(1);
+    if (heir < INT64_C(0))
+    {
+        heir = INT64_C(1);
+    }
+    from_totals = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_TOTALS;
+    totals = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heir + layout__SOLVED_PATCH_TOTALS;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += (*cspan_at(&work, from_totals + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += (*cspan_at(&work, from_totals + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) += (*cspan_at(&work, from_totals + layout__PATCH_TOTALS_AREA));
+    filling__complete_totals(work, totals);
+    number_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * number;
+        if ((int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))) == index)
+        {
+            filling__hand_part(work, number, heir);
+        }
+    }
+    number_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * number;
+        if ((int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))) > index)
+        {
+            (*cspan_at(&work, part + layout__SOLVED_PART_PATCH)) = (double)((int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))) - INT64_C(1));
+        }
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
+    following_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (following = index; following < following_end; following += INT64_C(1))
+    {
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * following;
+        behind = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (following + INT64_C(1));
+        for (i = INT64_C(0); i < layout__SOLVED_PATCH_SIZE; i += INT64_C(1))
+        {
+            (*cspan_at(&work, patch + i)) = (*cspan_at(&work, behind + i));
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Give the part ``number`` to the patch ``heir``: to its part in the same region if it has one. */
+static inline int64_t filling__hand_part(array_double_1d work, int64_t number, int64_t heir)
+{
+    int64_t part;
+    int64_t i_end;
+    int64_t i;
+    int64_t other;
+    part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * number;
+    (*cspan_at(&work, part + layout__SOLVED_PART_PATCH)) = (double)(heir);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        other = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * i;
+        if ((i != number) && ((int64_t)((*cspan_at(&work, other + layout__SOLVED_PART_PATCH))) == heir) && ((int64_t)((*cspan_at(&work, other + layout__SOLVED_PART_REGION))) == (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION)))))
+        {
+            (*cspan_at(&work, other + layout__SOLVED_PART_LOAD)) += (*cspan_at(&work, part + layout__SOLVED_PART_LOAD));
+            (*cspan_at(&work, other + layout__SOLVED_PART_MOMENT)) += (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT));
+            (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) = 0.0;
+            (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) = 0.0;
+            break;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The totals of all patches that carry load, and their ranks, when the last patch is finished. */
 static inline int64_t filling__finish_patches(array_double_1d work)
 {
     int64_t count;
@@ -164,6 +269,7 @@ static inline int64_t filling__finish_patches(array_double_1d work)
     int64_t rank;
     int64_t heaviest;
     int64_t ranked;
+    filling__remove_unloaded(work);
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {

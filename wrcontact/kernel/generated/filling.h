@@ -18,6 +18,9 @@ static inline int64_t filling__add_part(array_double_1d work, int64_t patch, int
 static inline int64_t filling__fill_single(array_double_1d work);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__finish_patch(array_double_1d work);
+static inline int64_t filling__hand_part(array_double_1d work, int64_t number, int64_t heir);
+static inline int64_t filling__remove_patch(array_double_1d work, int64_t index);
+static inline int64_t filling__remove_unloaded(array_double_1d work);
 static inline int64_t filling__heaviest_patch(array_double_1d work);
 static inline int64_t filling__finish_patches(array_double_1d work);
 

@@ -45,7 +45,7 @@ static inline int64_t resultant__add_patches(array_double_1d work, array_double_
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
-        if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) > 0.0)
+        if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) != 0.0)
         {
             patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH)));
             region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION)));
@@ -108,8 +108,13 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
     {
         cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)));
     }
-    /* from the region's smallest gap to the part's centre of load, along its plane */
-    away = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    /* from the region's smallest gap to the part's centre of load, along its plane; a part that carries less */
+    /* than nothing (patch/filling.py) has no such centre */
+    away = 0.0;
+    if (load > 0.0)
+    {
+        away = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    }
     abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
     profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     normal_cos = 1.0 / sqrt(1.0 + slope * slope);

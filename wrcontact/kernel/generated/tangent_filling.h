@@ -19,6 +19,9 @@ static inline int64_t tangent_filling__add_part_t(array_double_1d work, array_do
 static inline int64_t tangent_filling__fill_single_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);
 static inline int64_t tangent_filling__finish_patch_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_filling__hand_part_t(array_double_1d work, array_double_1d work_t, int64_t number, int64_t heir);
+static inline int64_t tangent_filling__remove_patch_t(array_double_1d work, array_double_1d work_t, int64_t index);
+static inline int64_t tangent_filling__remove_unloaded_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_filling__finish_patches_t(array_double_1d work, array_double_1d work_t);
 
 #endif

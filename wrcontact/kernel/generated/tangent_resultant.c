@@ -36,7 +36,7 @@ static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, arr
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
-        if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) > 0.0)
+        if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) != 0.0)
         {
             patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH)));
             region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION)));
@@ -90,9 +90,9 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
     double v1;
     double v2;
     double v3;
-    double v4;
     double away_t;
     double away;
+    double v4;
     double abscissa_t;
     double abscissa;
     double height;
@@ -140,9 +140,14 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
         cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)) + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work_t, block + layout__REGION_INCLINATION))) / v2;
         cosine = v3;
     }
-    v4 = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load;
-    away_t = ((*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) - v4 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
-    away = v4 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    away_t = 0.0;
+    away = 0.0;
+    if (load > 0.0)
+    {
+        v4 = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load;
+        away_t = ((*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) - v4 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
+        away = v4 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    }
     abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL)) + (away_t * cosine + away * cosine_t);
     abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
     tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);

@@ -8,7 +8,7 @@ from typing import Final
 
 from .contact import REGION_LIMIT
 from .interface import RUN_COUNT, STATION_LIMIT
-from .record import Float, record
+from .record import Float, record, size
 
 SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
 SOLVED_PART_LIMIT: Final[int] = SOLVED_PATCH_LIMIT + REGION_LIMIT
@@ -87,6 +87,7 @@ class SolvedPatch:
     rank: int                       # its place among the patches by load, from 1
 
 
+SOLVED_PATCH_SIZE: Final[int] = size(SolvedPatch)
 SolvedStrips = SolvedStrip * SOLVED_STRIP_LIMIT
 
 

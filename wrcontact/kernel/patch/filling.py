@@ -6,6 +6,7 @@ from math import sqrt
 from ..layout import (
     SOLVED_PART_LIMIT,
     SOLVED_PATCH_LIMIT,
+    SOLVED_PATCH_SIZE,
     PatchTotals,
     Region,
     SolvedPatch,
@@ -135,8 +136,66 @@ def complete_totals(totals: PatchTotals):
     return 0
 
 
+def remove_unloaded(solved: SolvedPatches):
+    """Take away patches that carry nothing in sum: between jumps of the curvatures the quadratic of the line
+    load can be negative all over a sliver.  What they carry counts for their neighbours, so that the patches
+    carry together what the regions do."""
+    index = 0
+    while solved.count > 1 and index < solved.count:
+        if solved.patches[index].totals.load > 0.0:
+            index += 1
+        else:
+            remove_patch(solved, index)
+            index = 0
+    return 0
+
+
+def remove_patch(solved: SolvedPatches, index: int):
+    """Take a finished patch away; the one before, or else the one behind it gets its load and its area."""
+    heir = index - 1
+    if heir < 0:
+        heir = 1
+    from_totals = solved.patches[index].totals
+    totals = solved.patches[heir].totals
+    totals.load += from_totals.load
+    totals.moment += from_totals.moment
+    totals.area += from_totals.area
+    complete_totals(totals)
+    for number in range(solved.part_count):
+        part = solved.parts[number]
+        if part.patch == index:
+            hand_part(solved, number, heir)
+    for number in range(solved.part_count):
+        part = solved.parts[number]
+        if part.patch > index:
+            part.patch = part.patch - 1
+    solved.count = solved.count - 1
+    for following in range(index, solved.count):
+        patch = solved.patches[following]
+        behind = solved.patches[following + 1]
+        for i in range(SOLVED_PATCH_SIZE):
+            patch[i] = behind[i]
+    return 0
+
+
+def hand_part(solved: SolvedPatches, number: int, heir: int):
+    """Give the part ``number`` to the patch ``heir``: to its part in the same region if it has one."""
+    part = solved.parts[number]
+    part.patch = heir
+    for i in range(solved.part_count):
+        other = solved.parts[i]
+        if i != number and other.patch == heir and other.region == part.region:
+            other.load += part.load
+            other.moment += part.moment
+            part.load = 0.0
+            part.moment = 0.0
+            break
+    return 0
+
+
 def finish_patches(solved: SolvedPatches):
-    """The totals of all patches, and their ranks, when the last patch is finished."""
+    """The totals of all patches that carry load, and their ranks, when the last patch is finished."""
+    remove_unloaded(solved)
     count = solved.count
     totals = solved.totals
     for index in range(count):

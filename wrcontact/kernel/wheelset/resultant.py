@@ -43,7 +43,7 @@ def add_patches(tables: Tables, contact: Contact, penetration: float, mirror: fl
         clear_force(solved.patches[index])
     for index in range(solved.part_count):
         part = solved.parts[index]
-        if part.load > 0.0:
+        if part.load != 0.0:
             patch = solved.patches[part.patch]
             region = contact.regions[part.region]
             local = region.alignment * penetration - region.gap
@@ -77,8 +77,11 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
     cosine = frame.plane.cos
     if frame.pressed or block.own:
         cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
-    # from the region's smallest gap to the part's centre of load, along its plane
-    away = part.moment / load - block.offset - block.station
+    # from the region's smallest gap to the part's centre of load, along its plane; a part that carries less
+    # than nothing (patch/filling.py) has no such centre
+    away = 0.0
+    if load > 0.0:
+        away = part.moment / load - block.offset - block.station
     abscissa = block.rail + away * cosine
     height, slope = height_slope(tables.rail, abscissa)
     normal_cos = 1.0 / sqrt(1.0 + slope * slope)
