@@ -2,9 +2,8 @@
  *
  * How the rail is divided into strips: evenly over the zones first, then by the pressure that was found.
  *
- * The places of the strips follow the pose without jumps: pieces of the rail have weights that do, and strips
- * of one weight are cut from them, one after the other.  A strip that reaches over a hole between two pieces is
- * cut in two.
+ * Pieces of the rail have weights.  Each run of pieces that touch gets as many strips as its weight is worth,
+ * all of one weight, and no fewer than FEWEST: with less a patch has no shape.
  */
 
 #include "strip_layout.h"
@@ -158,82 +157,122 @@ static inline double strip_layout__pressure_changes(array_double_1d work, int64_
     return change;
 }
 
-/* Cut strips from the cells: ``wanted``, and one more for every hole. */
+/* Cut about ``wanted`` strips from the cells, from each run of cells that touch as many as its weight is
+ * worth.
+ */
 static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t region_count, int64_t wanted)
 {
     double total;
     int64_t index_end;
     int64_t index;
-    double each;
     int64_t made;
-    int64_t cuts;
-    double done;
-    double edge;
-    double stop;
-    int64_t opened;
-    int64_t cell;
-    double share;
-    double cut;
+    int64_t first;
+    int64_t last;
+    double weight;
+    int64_t number;
     total = 0.0;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         total += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
     }
-    each = total / (double)(wanted);
     made = INT64_C(0);
-    cuts = INT64_C(0);
-    done = 0.0;
-    edge = 0.0;
-    stop = 0.0;
-    opened = INT64_C(0);
-    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    first = INT64_C(0);
+    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
     {
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
-        if ((*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) > 0.0)
+        last = first;
+        weight = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+        while((last < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (weight > 0.0) && (strip_layout__continued(work, last) == INT64_C(1)))
         {
-            if ((opened == INT64_C(1)) && ((*cspan_at(&work, cell + layout__STRIP_CELL_START)) - stop > strip_layout__TOUCHING))
-            {
-                made += strip_layout__cut_strip(work, made, edge, stop);
-                opened = INT64_C(0);
-            }
-            if (opened == INT64_C(0))
-            {
-                edge = (*cspan_at(&work, cell + layout__STRIP_CELL_START));
-                opened = INT64_C(1);
-            }
-            while((cuts < wanted - INT64_C(1)) && (done + (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) >= each * (double)(cuts + INT64_C(1))))
-            {
-                share = (each * (double)(cuts + INT64_C(1)) - done) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-                cut = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + share * ((*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START)));
-                made += strip_layout__cut_strip(work, made, edge, cut);
-                edge = cut;
-                cuts += INT64_C(1);
-            }
-            done += (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-            stop = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP));
+            last += INT64_C(1);
+            weight += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
         }
+        if (weight > 0.0)
+        {
+            number = (int64_t)(weight / total * (double)(wanted) + 0.5);
+            if (number < strip_layout__FEWEST)
+            {
+                number = strip_layout__FEWEST;
+            }
+            if (number > layout__STRIP_LIMIT - made)
+            {
+                number = layout__STRIP_LIMIT - made;
+            }
+            strip_layout__cut_run(work, first, made, number, weight);
+            made += number;
+        }
+        first = last + INT64_C(1);
     }
-    made += strip_layout__cut_strip(work, made, edge, stop);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(made);
     strip_layout__touch(work, made);
     strip_layout__place_in_regions(work, made, region_count);
     return INT64_C(0);
 }
 
-/* Let strip ``i`` lie between two stations [m]; how many strips that is, 0 where it has no width. */
-static inline int64_t strip_layout__cut_strip(array_double_1d work, int64_t i, double start, double stop)
+/* 1 where the cell after ``index`` touches it and has a weight, else 0. */
+static inline int64_t strip_layout__continued(array_double_1d work, int64_t index)
 {
-    int64_t made;
-    made = INT64_C(0);
-    if (stop - start > strip_layout__TOUCHING)
+    int64_t following;
+    int64_t answer;
+    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (index + INT64_C(1));
+    answer = INT64_C(0);
+    if (((*cspan_at(&work, following + layout__STRIP_CELL_WEIGHT)) > 0.0) && ((*cspan_at(&work, following + layout__STRIP_CELL_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP)) < strip_layout__TOUCHING))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) = 0.5 * (start + stop);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) = stop - start;
-        made = INT64_C(1);
+        answer = INT64_C(1);
     }
-    return made;
+    return answer;
+}
+
+/* Cut ``number`` strips of equal weight from a run of cells that begins with ``first`` and has this
+ * ``weight``; strips are numbered from ``made`` on.
+ */
+static inline int64_t strip_layout__cut_run(array_double_1d work, int64_t first, int64_t made, int64_t number, double weight)
+{
+    double each;
+    int64_t index;
+    double done;
+    double edge;
+    int64_t cut;
+    double wanted;
+    int64_t cell;
+    double stop;
+    int64_t strip;
+    each = weight / (double)(number);
+    index = first;
+    done = 0.0;
+    edge = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
+    for (cut = INT64_C(0); cut < number; cut += INT64_C(1))
+    {
+        wanted = each * (double)(cut + INT64_C(1));
+        while((cut < number - INT64_C(1)) && (done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)) < wanted))
+        {
+            done += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
+            index += INT64_C(1);
+        }
+        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
+        stop = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + (wanted - done) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * ((*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START)));
+        if (cut == number - INT64_C(1))
+        {
+            stop = strip_layout__run_stop(work, index);
+        }
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (made + cut);
+        (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * (edge + stop);
+        (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = stop - edge;
+        edge = stop;
+    }
+    return INT64_C(0);
+}
+
+/* Station [m] of the end of the run of cells that ``index`` is in. */
+static inline double strip_layout__run_stop(array_double_1d work, int64_t index)
+{
+    double result;
+    while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (strip_layout__continued(work, index) == INT64_C(1)))
+    {
+        index += INT64_C(1);
+    }
+    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
+    return result;
 }
 
 /* Give every strip the region that its middle lies in. */

@@ -11,7 +11,7 @@
 #include "planes.h"
 #include "zone_width.h"
 
-static const double strip_zones__SHALLOW = 0.1;
+static const double strip_zones__SHALLOW = 0.03;
 
 static inline int64_t strip_zones__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
 static inline int64_t strip_zones__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);

@@ -6,16 +6,19 @@
 #include "tangent_strip_contact.h"
 
 /* Tangent of ``strip_contact``. */
-static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, double* result_1, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, int64_t* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t by_penetration;
     int64_t n1;
+    int64_t count;
     double penetration;
     double penetration_t;
+    int64_t satisfied;
     double estimate_t;
     double estimate;
     double v2;
     double v2_t;
+    int64_t repeat;
     int64_t n3;
     int64_t n4;
     by_penetration = INT64_C(0);
@@ -26,8 +29,8 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, d
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         n1 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
-        (*count) = n1;
-        tangent_strips__first_layout_t(&penetration, &penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, INT64_C(1));
+        count = n1;
+        tangent_strips__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, INT64_C(1));
     }
     else
     {
@@ -39,36 +42,51 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, d
             estimate_t = v2_t;
             estimate = v2;
         }
-        n3 = tangent_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
-        if (n3 == INT64_C(0))
+        penetration_t = estimate_t;
+        penetration = estimate;
+        count = INT64_C(0);
+        satisfied = INT64_C(0);
+        for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
-            (*result_0) = estimate;
-            (*result_1) = estimate_t;
-            (*count) = INT64_C(0);
-            (*satisfied) = INT64_C(0);
-            return 0;
+            estimate_t = penetration_t;
+            estimate = penetration;
+            n3 = tangent_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+            if (n3 == INT64_C(0))
+            {
+                (*result_0_0001) = estimate;
+                (*result_1_0001) = estimate_t;
+                (*result_2) = INT64_C(0);
+                (*result_3) = INT64_C(0);
+                return 0;
+            }
+            n4 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
+            count = n4;
+            tangent_strips__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+            if ((satisfied == INT64_C(0)) || (penetration < strip_contact__DEEPER * estimate))
+            {
+                break;
+            }
         }
-        n4 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
-        (*count) = n4;
-        tangent_strips__first_layout_t(&penetration, &penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, by_penetration);
-        if (((*satisfied) == INT64_C(1)) && (by_penetration == INT64_C(0)))
+        if ((satisfied == INT64_C(1)) && (by_penetration == INT64_C(0)))
         {
-            tangent_pressed_regions__sink_deeper_t(work, work_t, (*count), penetration, penetration_t);
+            tangent_pressed_regions__sink_deeper_t(work, work_t, count, penetration, penetration_t);
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration_t;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
         }
     }
-    if ((*satisfied) == INT64_C(1))
+    if (satisfied == INT64_C(1))
     {
-        tangent_strips__second_layout_t(&penetration, &penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, by_penetration);
+        tangent_strips__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
     }
-    if (((*satisfied) == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+    if ((satisfied == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
-        tangent_strip_patches__fill_from_strips_t(work, work_t, tables, (*count));
+        tangent_planes__locate_along_track_t(work, work_t, tables, count);
+        tangent_strip_patches__fill_from_strips_t(work, work_t, tables, count);
     }
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    (*result_0_0001) = penetration;
+    (*result_1_0001) = penetration_t;
+    (*result_2) = count;
+    (*result_3) = satisfied;
     return 0;
 }
 

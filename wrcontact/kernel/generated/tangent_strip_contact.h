@@ -9,6 +9,7 @@
 #include "../native/spans.h"
 #include "deep_points.h"
 #include "layout.h"
+#include "strip_contact.h"
 #include "tangent_estimate.h"
 #include "tangent_planes.h"
 #include "tangent_pressed_regions.h"
@@ -17,6 +18,6 @@
 #include "tangent_strips.h"
 
 static inline int64_t tangent_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
-static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0, double* result_1, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, int64_t* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 #endif

@@ -245,30 +245,12 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
     double total;
     int64_t index_end;
     int64_t index;
-    double v1;
-    double each_t;
-    double each;
     int64_t made;
-    int64_t cuts;
-    double done_t;
-    double done;
-    double edge_t;
-    double edge;
-    double stop_t;
-    double stop;
-    int64_t opened;
-    int64_t cell;
-    int64_t n2;
-    double v3;
-    double v4;
-    double v5;
-    double share_t;
-    double share;
-    double v6;
-    double cut_t;
-    double cut;
-    int64_t n7;
-    int64_t n8;
+    int64_t first;
+    int64_t last;
+    double weight_t;
+    double weight;
+    int64_t number;
     total_t = 0.0;
     total = 0.0;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
@@ -277,60 +259,35 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
         total_t = total_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
         total = total + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
     }
-    v1 = (double)(wanted);
-    each_t = total_t / v1;
-    each = total / v1;
     made = INT64_C(0);
-    cuts = INT64_C(0);
-    done_t = 0.0;
-    done = 0.0;
-    edge_t = 0.0;
-    edge = 0.0;
-    stop_t = 0.0;
-    stop = 0.0;
-    opened = INT64_C(0);
-    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    first = INT64_C(0);
+    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
     {
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
-        if ((*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) > 0.0)
+        last = first;
+        weight_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+        weight = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+        while((last < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (weight > 0.0) && (strip_layout__continued(work, last) == INT64_C(1)))
         {
-            if ((opened == INT64_C(1)) && ((*cspan_at(&work, cell + layout__STRIP_CELL_START)) - stop > strip_layout__TOUCHING))
-            {
-                n2 = tangent_strip_layout__cut_strip_t(work, work_t, made, edge, edge_t, stop, stop_t);
-                made = made + n2;
-                opened = INT64_C(0);
-            }
-            if (opened == INT64_C(0))
-            {
-                edge_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_START));
-                edge = (*cspan_at(&work, cell + layout__STRIP_CELL_START));
-                opened = INT64_C(1);
-            }
-            while((cuts < wanted - INT64_C(1)) && (done + (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) >= each * (double)(cuts + INT64_C(1))))
-            {
-                v3 = (double)(cuts + INT64_C(1));
-                v4 = each * v3 - done;
-                v5 = v4 / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-                share_t = (each_t * v3 - done_t - v5 * (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-                share = v5;
-                v6 = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START));
-                cut_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + (share_t * v6 + share * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work_t, cell + layout__STRIP_CELL_START))));
-                cut = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + share * v6;
-                n7 = tangent_strip_layout__cut_strip_t(work, work_t, made, edge, edge_t, cut, cut_t);
-                made = made + n7;
-                edge_t = cut_t;
-                edge = cut;
-                cuts = cuts + INT64_C(1);
-            }
-            done_t = done_t + (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT));
-            done = done + (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-            stop_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP));
-            stop = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP));
+            last = last + INT64_C(1);
+            weight_t = weight_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
+            weight = weight + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
         }
+        if (weight > 0.0)
+        {
+            number = (int64_t)(weight / total * (double)(wanted) + 0.5);
+            if (number < strip_layout__FEWEST)
+            {
+                number = strip_layout__FEWEST;
+            }
+            if (number > layout__STRIP_LIMIT - made)
+            {
+                number = layout__STRIP_LIMIT - made;
+            }
+            tangent_strip_layout__cut_run_t(work, work_t, first, made, number, weight, weight_t);
+            made = made + number;
+        }
+        first = last + INT64_C(1);
     }
-    n8 = tangent_strip_layout__cut_strip_t(work, work_t, made, edge, edge_t, stop, stop_t);
-    made = made + n8;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(made);
     tangent_strip_layout__touch_t(work, work_t, made);
@@ -338,22 +295,84 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
     return INT64_C(0);
 }
 
-/* Tangent of ``cut_strip``. */
-static inline int64_t tangent_strip_layout__cut_strip_t(array_double_1d work, array_double_1d work_t, int64_t i, double start, double start_t, double stop, double stop_t)
+/* Tangent of ``cut_run``. */
+static inline int64_t tangent_strip_layout__cut_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t made, int64_t number, double weight, double weight_t)
 {
     double v1;
-    int64_t made;
-    made = INT64_C(0);
-    if (stop - start > strip_layout__TOUCHING)
+    double each_t;
+    double each;
+    int64_t index;
+    double done_t;
+    double done;
+    double edge_t;
+    double edge;
+    int64_t cut;
+    double v2;
+    double wanted_t;
+    double wanted;
+    int64_t cell;
+    double v3;
+    double v4;
+    double v5;
+    double stop_t;
+    double stop;
+    double v6;
+    double v6_t;
+    int64_t strip;
+    double v7;
+    v1 = (double)(number);
+    each_t = weight_t / v1;
+    each = weight / v1;
+    index = first;
+    done_t = 0.0;
+    done = 0.0;
+    edge_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
+    edge = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
+    for (cut = INT64_C(0); cut < number; cut += INT64_C(1))
     {
-        v1 = start + stop;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) = 0.5 * (start_t + stop_t);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) = 0.5 * v1;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) = stop_t - start_t;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) = stop - start;
-        made = INT64_C(1);
+        v2 = (double)(cut + INT64_C(1));
+        wanted_t = each_t * v2;
+        wanted = each * v2;
+        while((cut < number - INT64_C(1)) && (done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)) < wanted))
+        {
+            done_t = done_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
+            done = done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
+            index = index + INT64_C(1);
+        }
+        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
+        v3 = wanted - done;
+        v4 = v3 / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
+        v5 = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START));
+        stop_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + ((wanted_t - done_t - v4 * (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * v5 + v4 * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work_t, cell + layout__STRIP_CELL_START))));
+        stop = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + v4 * v5;
+        if (cut == number - INT64_C(1))
+        {
+            tangent_strip_layout__run_stop_t(&v6, &v6_t, work, work_t, index);
+            stop_t = v6_t;
+            stop = v6;
+        }
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (made + cut);
+        v7 = edge + stop;
+        (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = 0.5 * (edge_t + stop_t);
+        (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * v7;
+        (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = stop_t - edge_t;
+        (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = stop - edge;
+        edge_t = stop_t;
+        edge = stop;
     }
-    return made;
+    return INT64_C(0);
+}
+
+/* Tangent of ``run_stop``. */
+static inline int64_t tangent_strip_layout__run_stop_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index)
+{
+    while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (strip_layout__continued(work, index) == INT64_C(1)))
+    {
+        index = index + INT64_C(1);
+    }
+    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
+    (*result_1) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
+    return 0;
 }
 
 /* Tangent of ``place_in_regions``. */

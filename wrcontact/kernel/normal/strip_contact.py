@@ -1,6 +1,7 @@
 """The contact of one side by strips (docs/method.md, section 9)."""
 
 from math import isfinite
+from typing import Final
 
 from ..contact.deep_points import deepest_entry
 from ..contact.planes import locate_along_track
@@ -10,6 +11,11 @@ from .estimate import first_penetration
 from .strip_patches import fill_from_strips
 from .strip_zones import find_zones
 from .strips import first_layout, second_layout
+
+#: Where the first strips show that the wheel stands deeper than this many times its estimate, it is sunk
+#: anew, at most so often: the patch may reach farther than its strips do.
+DEEPER: Final[float] = 1.15
+SINKINGS: Final[int] = 4
 
 
 def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
@@ -32,11 +38,18 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
         estimate = prescribed
         if by_penetration == 0:
             estimate = first_penetration(tables, contact, state, force)
-        if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
-            # it overlaps most at the end of a profile
-            return estimate, 0, 0
-        count = open_zones(tables, contact, state)
-        penetration, satisfied = first_layout(tables, contact, state, count, force, by_penetration)
+        penetration = estimate
+        count = 0
+        satisfied = 0
+        for repeat in range(SINKINGS):
+            estimate = penetration
+            if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
+                # it overlaps most at the end of a profile
+                return estimate, 0, 0
+            count = open_zones(tables, contact, state)
+            penetration, satisfied = first_layout(tables, contact, state, count, force, by_penetration)
+            if satisfied == 0 or penetration < DEEPER * estimate:
+                break
         if satisfied == 1 and by_penetration == 0:
             sink_deeper(contact.frame, contact.frames, count, penetration)
             problem.penetration = penetration

@@ -1,14 +1,13 @@
 """How the rail is divided into strips: evenly over the zones first, then by the pressure that was found.
 
-The places of the strips follow the pose without jumps: pieces of the rail have weights that do, and strips
-of one weight are cut from them, one after the other.  A strip that reaches over a hole between two pieces is
-cut in two.
+Pieces of the rail have weights.  Each run of pieces that touch gets as many strips as its weight is worth,
+all of one weight, and no fewer than FEWEST: with less a patch has no shape.
 """
 
 from math import fabs
 from typing import Final
 
-from ..layout import Regions, StripCell, StripProblem, Strips
+from ..layout import STRIP_LIMIT, Regions, StripCell, StripProblem, Strips
 
 #: Of the strips of the second layout, the first ones are this share.
 FIRST_SHARE: Final[float] = 2.0 / 3.0
@@ -19,6 +18,8 @@ DEEP: Final[float] = 0.5
 EVEN: Final[float] = 0.5
 #: A strip counts as loaded as far as its pressure, or a neighbour's, is this share of the largest one.
 LOADED: Final[float] = 0.1
+#: Strips of a run of cells, at least.
+FEWEST: Final[int] = 4
 #: Pieces closer than this touch [m].
 TOUCHING: Final[float] = 1e-9
 
@@ -111,49 +112,71 @@ def pressure_changes(strips: Strips, count: int, i: int):
 
 
 def divide_cells(problem: StripProblem, regions: Regions, region_count: int, wanted: int):
-    """Cut strips from the cells: ``wanted``, and one more for every hole."""
+    """Cut about ``wanted`` strips from the cells, from each run of cells that touch as many as its weight is
+    worth."""
     total = 0.0
     for index in range(problem.cell_count):
         total += problem.cells[index].weight
-    each = total / float(wanted)
     made = 0
-    cuts = 0
-    done = 0.0
-    edge = 0.0
-    stop = 0.0
-    opened = 0
-    for index in range(problem.cell_count):
-        cell = problem.cells[index]
-        if cell.weight > 0.0:
-            if opened == 1 and cell.start - stop > TOUCHING:
-                made += cut_strip(problem.strips, made, edge, stop)
-                opened = 0
-            if opened == 0:
-                edge = cell.start
-                opened = 1
-            while cuts < wanted - 1 and done + cell.weight >= each * float(cuts + 1):
-                share = (each * float(cuts + 1) - done) / cell.weight
-                cut = cell.start + share * (cell.stop - cell.start)
-                made += cut_strip(problem.strips, made, edge, cut)
-                edge = cut
-                cuts += 1
-            done += cell.weight
-            stop = cell.stop
-    made += cut_strip(problem.strips, made, edge, stop)
+    first = 0
+    while first < problem.cell_count:
+        last = first
+        weight = problem.cells[first].weight
+        while last < problem.cell_count - 1 and weight > 0.0 and continued(problem, last) == 1:
+            last += 1
+            weight += problem.cells[last].weight
+        if weight > 0.0:
+            number = int(weight / total * float(wanted) + 0.5)
+            if number < FEWEST:
+                number = FEWEST
+            if number > STRIP_LIMIT - made:
+                number = STRIP_LIMIT - made
+            cut_run(problem, first, made, number, weight)
+            made += number
+        first = last + 1
     problem.count = made
     touch(problem.strips, made)
     place_in_regions(problem.strips, made, regions, region_count)
     return 0
 
 
-def cut_strip(strips: Strips, i: int, start: float, stop: float):
-    """Let strip ``i`` lie between two stations [m]; how many strips that is, 0 where it has no width."""
-    made = 0
-    if stop - start > TOUCHING:
-        strips[i].station = 0.5 * (start + stop)
-        strips[i].width = stop - start
-        made = 1
-    return made
+def continued(problem: StripProblem, index: int):
+    """1 where the cell after ``index`` touches it and has a weight, else 0."""
+    following = problem.cells[index + 1]
+    answer = 0
+    if following.weight > 0.0 and following.start - problem.cells[index].stop < TOUCHING:
+        answer = 1
+    return answer
+
+
+def cut_run(problem: StripProblem, first: int, made: int, number: int, weight: float):
+    """Cut ``number`` strips of equal weight from a run of cells that begins with ``first`` and has this
+    ``weight``; strips are numbered from ``made`` on."""
+    each = weight / float(number)
+    index = first
+    done = 0.0
+    edge = problem.cells[first].start
+    for cut in range(number):
+        wanted = each * float(cut + 1)
+        while cut < number - 1 and done + problem.cells[index].weight < wanted:
+            done += problem.cells[index].weight
+            index += 1
+        cell = problem.cells[index]
+        stop = cell.start + (wanted - done) / cell.weight * (cell.stop - cell.start)
+        if cut == number - 1:
+            stop = run_stop(problem, index)
+        strip = problem.strips[made + cut]
+        strip.station = 0.5 * (edge + stop)
+        strip.width = stop - edge
+        edge = stop
+    return 0
+
+
+def run_stop(problem: StripProblem, index: int):
+    """Station [m] of the end of the run of cells that ``index`` is in."""
+    while index < problem.cell_count - 1 and continued(problem, index) == 1:
+        index += 1
+    return problem.cells[index].stop
 
 
 def place_in_regions(strips: Strips, count: int, regions: Regions, region_count: int):

@@ -8,7 +8,7 @@ from ..contact.zone_width import zone_width
 from ..layout import Contact, Region, State, StripZone, Tables
 
 #: A zone ends where the overlap has fallen to this share of the deepest one.
-SHALLOW: Final[float] = 0.1
+SHALLOW: Final[float] = 0.03
 
 
 def find_zones(tables: Tables, contact: Contact, state: State, count: int, deepest: float):
