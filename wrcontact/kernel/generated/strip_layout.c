@@ -158,17 +158,20 @@ static inline double strip_layout__pressure_changes(array_double_1d work, int64_
 }
 
 /* Cut about ``wanted`` strips from the cells, from each run of cells that touch as many as its weight is
- * worth.
+ * worth; more, where there are several runs.
  */
 static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t region_count, int64_t wanted)
 {
     double total;
     int64_t index_end;
     int64_t index;
-    int64_t made;
+    double squares;
     int64_t first;
     int64_t last;
     double weight;
+    double several;
+    double each;
+    int64_t made;
     int64_t number;
     total = 0.0;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
@@ -176,20 +179,24 @@ static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t r
     {
         total += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
     }
+    squares = 0.0;
+    first = INT64_C(0);
+    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
+    {
+        strip_layout__run_of_cells(&last, &weight, work, first);
+        squares += weight * weight;
+        first = last + INT64_C(1);
+    }
+    several = total * total / squares - 1.0;
+    each = total / ((double)(wanted) * (1.0 + strip_layout__MORE * several));
     made = INT64_C(0);
     first = INT64_C(0);
     while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
     {
-        last = first;
-        weight = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-        while((last < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (weight > 0.0) && (strip_layout__continued(work, last) == INT64_C(1)))
-        {
-            last += INT64_C(1);
-            weight += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
-        }
+        strip_layout__run_of_cells(&last, &weight, work, first);
         if (weight > 0.0)
         {
-            number = (int64_t)(weight / total * (double)(wanted) + 0.5);
+            number = (int64_t)(weight / each + 0.5);
             if (number < strip_layout__FEWEST)
             {
                 number = strip_layout__FEWEST;
@@ -207,6 +214,19 @@ static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t r
     strip_layout__touch(work, made);
     strip_layout__place_in_regions(work, made, region_count);
     return INT64_C(0);
+}
+
+/* The last cell of the run of cells that touch and begins with ``first``, and the weight of the run. */
+static inline int64_t strip_layout__run_of_cells(int64_t* last, double* weight, array_double_1d work, int64_t first)
+{
+    (*last) = first;
+    (*weight) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+    while(((*last) < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && ((*weight) > 0.0) && (strip_layout__continued(work, (*last)) == INT64_C(1)))
+    {
+        (*last) += INT64_C(1);
+        (*weight) += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
+    }
+    return 0;
 }
 
 /* 1 where the cell after ``index`` touches it and has a weight, else 0. */

@@ -17,6 +17,7 @@ static const double strip_layout__DEEP = 0.5;
 static const double strip_layout__EVEN = 0.5;
 static const double strip_layout__LOADED = 0.1;
 static const int64_t strip_layout__FEWEST = INT64_C(4);
+static const double strip_layout__MORE = 0.5;
 static const double strip_layout__TOUCHING = 1e-09;
 
 static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count);
@@ -25,6 +26,7 @@ static inline double strip_layout__loaded_share(array_double_1d work, int64_t co
 static inline double strip_layout__pressure_changes(array_double_1d work, int64_t count, int64_t i);
 static inline int64_t strip_layout__strip_cells(array_double_1d work);
 static inline int64_t strip_layout__continued(array_double_1d work, int64_t index);
+static inline int64_t strip_layout__run_of_cells(int64_t* last, double* weight, array_double_1d work, int64_t first);
 static inline double strip_layout__run_stop(array_double_1d work, int64_t index);
 static inline int64_t strip_layout__cut_run(array_double_1d work, int64_t first, int64_t made, int64_t number, double weight);
 static inline int64_t strip_layout__place_in_regions(array_double_1d work, int64_t count, int64_t region_count);

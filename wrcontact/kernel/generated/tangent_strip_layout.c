@@ -245,11 +245,23 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
     double total;
     int64_t index_end;
     int64_t index;
-    int64_t made;
+    double squares_t;
+    double squares;
     int64_t first;
     int64_t last;
-    double weight_t;
     double weight;
+    double weight_t;
+    double v1;
+    double v2;
+    double several_t;
+    double several;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double each_t;
+    double each;
+    int64_t made;
     int64_t number;
     total_t = 0.0;
     total = 0.0;
@@ -259,22 +271,34 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
         total_t = total_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
         total = total + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
     }
+    squares_t = 0.0;
+    squares = 0.0;
+    first = INT64_C(0);
+    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
+    {
+        tangent_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
+        squares_t = squares_t + (weight_t * weight + weight * weight_t);
+        squares = squares + weight * weight;
+        first = last + INT64_C(1);
+    }
+    v1 = total * total;
+    v2 = v1 / squares;
+    several_t = (total_t * total + total * total_t - v2 * squares_t) / squares;
+    several = v2 - 1.0;
+    v3 = (double)(wanted);
+    v4 = 1.0 + strip_layout__MORE * several;
+    v5 = v3 * v4;
+    v6 = total / v5;
+    each_t = (total_t - v6 * (v3 * (strip_layout__MORE * several_t))) / v5;
+    each = v6;
     made = INT64_C(0);
     first = INT64_C(0);
     while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
     {
-        last = first;
-        weight_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-        weight = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-        while((last < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && (weight > 0.0) && (strip_layout__continued(work, last) == INT64_C(1)))
-        {
-            last = last + INT64_C(1);
-            weight_t = weight_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
-            weight = weight + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * last + layout__STRIP_CELL_WEIGHT));
-        }
+        tangent_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
         if (weight > 0.0)
         {
-            number = (int64_t)(weight / total * (double)(wanted) + 0.5);
+            number = (int64_t)(weight / each + 0.5);
             if (number < strip_layout__FEWEST)
             {
                 number = strip_layout__FEWEST;
@@ -293,6 +317,21 @@ static inline int64_t tangent_strip_layout__divide_cells_t(array_double_1d work,
     tangent_strip_layout__touch_t(work, work_t, made);
     tangent_strip_layout__place_in_regions_t(work, work_t, made, region_count);
     return INT64_C(0);
+}
+
+/* Tangent of ``run_of_cells``. */
+static inline int64_t tangent_strip_layout__run_of_cells_t(int64_t* last, double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t first)
+{
+    (*last) = first;
+    (*weight_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+    (*weight) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+    while(((*last) < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && ((*weight) > 0.0) && (strip_layout__continued(work, (*last)) == INT64_C(1)))
+    {
+        (*last) = (*last) + INT64_C(1);
+        (*weight_t) = (*weight_t) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
+        (*weight) = (*weight) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
+    }
+    return 0;
 }
 
 /* Tangent of ``cut_run``. */

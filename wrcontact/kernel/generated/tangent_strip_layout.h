@@ -16,6 +16,7 @@ static inline int64_t tangent_strip_layout__touch_t(array_double_1d work, array_
 static inline int64_t tangent_strip_layout__loaded_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i, double largest, double largest_t);
 static inline int64_t tangent_strip_layout__pressure_changes_t(double* change, double* change_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i);
 static inline int64_t tangent_strip_layout__strip_cells_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_strip_layout__run_of_cells_t(int64_t* last, double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t first);
 static inline int64_t tangent_strip_layout__run_stop_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index);
 static inline int64_t tangent_strip_layout__cut_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t made, int64_t number, double weight, double weight_t);
 static inline int64_t tangent_strip_layout__place_in_regions_t(array_double_1d work, array_double_1d work_t, int64_t count, int64_t region_count);

@@ -20,6 +20,8 @@ EVEN: Final[float] = 0.5
 LOADED: Final[float] = 0.1
 #: Strips of a run of cells, at least.
 FEWEST: Final[int] = 4
+#: Runs of equal weights get together 1 + MORE (n - 1) times as many strips as one.
+MORE: Final[float] = 0.5
 #: Pieces closer than this touch [m].
 TOUCHING: Final[float] = 1e-9
 
@@ -113,20 +115,24 @@ def pressure_changes(strips: Strips, count: int, i: int):
 
 def divide_cells(problem: StripProblem, regions: Regions, region_count: int, wanted: int):
     """Cut about ``wanted`` strips from the cells, from each run of cells that touch as many as its weight is
-    worth."""
+    worth; more, where there are several runs."""
     total = 0.0
     for index in range(problem.cell_count):
         total += problem.cells[index].weight
+    squares = 0.0
+    first = 0
+    while first < problem.cell_count:
+        last, weight = run_of_cells(problem, first)
+        squares += weight * weight
+        first = last + 1
+    several = total * total / squares - 1.0
+    each = total / (float(wanted) * (1.0 + MORE * several))
     made = 0
     first = 0
     while first < problem.cell_count:
-        last = first
-        weight = problem.cells[first].weight
-        while last < problem.cell_count - 1 and weight > 0.0 and continued(problem, last) == 1:
-            last += 1
-            weight += problem.cells[last].weight
+        last, weight = run_of_cells(problem, first)
         if weight > 0.0:
-            number = int(weight / total * float(wanted) + 0.5)
+            number = int(weight / each + 0.5)
             if number < FEWEST:
                 number = FEWEST
             if number > STRIP_LIMIT - made:
@@ -138,6 +144,16 @@ def divide_cells(problem: StripProblem, regions: Regions, region_count: int, wan
     touch(problem.strips, made)
     place_in_regions(problem.strips, made, regions, region_count)
     return 0
+
+
+def run_of_cells(problem: StripProblem, first: int):
+    """The last cell of the run of cells that touch and begins with ``first``, and the weight of the run."""
+    last = first
+    weight = problem.cells[first].weight
+    while last < problem.cell_count - 1 and weight > 0.0 and continued(problem, last) == 1:
+        last += 1
+        weight += problem.cells[last].weight
+    return last, weight
 
 
 def continued(problem: StripProblem, index: int):
