@@ -2,7 +2,6 @@
 of contact themselves."""
 
 import csv
-
 import math
 
 import numpy as np
