@@ -146,6 +146,9 @@ def test_poses_that_were_refused_once(rail, inclination, load, pose):
 #: more than the load at every level.
 STEEP = {"separation": {"separation": "vertical"}, "basic": {"longitudinal_curvature": "basic"},
          "default": {}}
+#: Vertical distances beside the rail's side, 0.4 mm deep: the half-width of the region, and with it the place of
+#: its nodes, jumps between heights 5 um apart, and the load from 56 to 560 kN.
+VERTICAL_SIDE = "a rare pose where elastic and compliant form differ (docs/reliability.md, What remains)"
 ONCE_TOO_STEEP = [
     ("default", (-0.006441960288928336, -0.01931160209022382, 191217.56157863978, -0.9453709409738588)),
     ("basic", (0.006434177935025435, 0.021933914269399883, 190255.06901448508, 0.43692107314968576)),
@@ -155,7 +158,8 @@ ONCE_TOO_STEEP = [
     ("separation", (0.0065022498121319085, -0.02087709900787211, 190650.18990882143, 0.9067269304079526)),
     ("separation", (0.00637832868166607, 0.030976122547405567, 153597.37537829397, 0.5586651678481243)),
     ("separation", (0.0064203371819753635, -0.020948591203970697, 177722.16171836772, 0.5811281964470212)),
-    ("separation", (0.006463620028195276, -0.02712576155100905, 132535.87157966816, 0.7955738453260797)),
+    pytest.param("separation", (0.006463620028195276, -0.02712576155100905, 132535.87157966816,
+                                0.7955738453260797), marks=pytest.mark.xfail(strict=True, reason=VERTICAL_SIDE)),
 ]
 
 
