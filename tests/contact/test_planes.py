@@ -37,8 +37,8 @@ def two_hertz_loads(track, pose, state, force):
     penetration at the contact point [m], and both angles [rad].
 
     The wheel comes down by d, and each region gets cos(its angle) d; each presses the other down by
-    N / (pi E* distance), and of that cos(turn) comes along its normal. Overlaps are found by dense search where
-    the kernel's wheel stands, and go on from there in proportion.
+    N / (pi E* distance), and of that cos(turn) comes along its normal. Overlaps are found by dense search
+    where the kernel's wheel stands, and go on from there in proportion.
     """
     side = state.right
     stood = side.penetration / math.cos(side.contact_angle)
@@ -69,7 +69,8 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     root_patch, flange = sorted(side.patches, key=lambda patch: patch.contact_angle)
     assert flange.contact_angle - root_patch.contact_angle > math.radians(15)
     for patch in (root_patch, flange):
-        slopes = rail_slope_along(side.contact.y_rail, patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
+        slopes = rail_slope_along(side.contact.y_rail,
+                                  patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
         assert min(slopes) <= -math.tan(patch.contact_angle) <= max(slopes)
     assert side.normal_force == pytest.approx(force, rel=1e-9)
     assert root_patch.normal_force + flange.normal_force == pytest.approx(force, rel=1e-9)

@@ -26,8 +26,8 @@ from wrcontact.profiles.zones import Arc
 def test_separations_are_what_they_say(shift, yaw, side):
     contact = Contact(shift, yaw)
     stations = side * STATIONS
-    # the wheel's point is found to 1e-6 m, which counts where its curvature jumps, and the rail's arcs come from
-    # a table: together less than 0.01 % of the gap
+    # the wheel's point is found to 1e-6 m, which counts where its curvature jumps, and the rail's arcs come
+    # from a table: together less than 0.01 % of the gap
     np.testing.assert_allclose(contact.kernel("normal", stations)[0],
                                [contact.normal(s) for s in stations], atol=4e-11, rtol=1e-4)
     # places are met to 1e-13 m, but a yawed outline's length is known by differences only

@@ -110,8 +110,8 @@ class Outline(Curve):
 
 
 class Contact:
-    """The right wheel at a pose, sunk under ``force``: the region that carries most of it, both curves through
-    its deepest point, their abscissae there, and the kernel's own frame of the region."""
+    """The right wheel at a pose, sunk under ``force``: the region that carries most of it, both curves
+    through its deepest point, their abscissae there, and the kernel's own frame of the region."""
 
     def __init__(self, shift, yaw=0.0, kind="normal", force=78.5e3, **parameters):
         self.system = wrcontact.ContactSystem(separation=kind, **parameters)
@@ -161,8 +161,8 @@ class Contact:
         def apart(u_wheel):
             return self.between(u_rail, u_wheel) + pressed
 
-        u_wheel = self.wheel._root(lambda u: apart(u) @ [np.cos(angle), np.sin(angle)], self.u_wheel - station,
-                                   3 * station)
+        along = np.array([np.cos(angle), np.sin(angle)])
+        u_wheel = self.wheel._root(lambda u: apart(u) @ along, self.u_wheel - station, 3 * station)
         return self.depth - apart(u_wheel) @ [-np.sin(angle), np.cos(angle)]
 
     def between(self, u_rail, u_wheel):
@@ -184,7 +184,8 @@ class Contact:
 
     def equidistant(self, station):
         u_rail = self.rail.at_arc(self.u_rail, station)
-        return self.along_mean_normal(u_rail, self.wheel.at_arc(self.u_wheel, station)) + self.depth_lost(u_rail)
+        u_wheel = self.wheel.at_arc(self.u_wheel, station)
+        return self.along_mean_normal(u_rail, u_wheel) + self.depth_lost(u_rail)
 
     def chords(self, count, spacing):
         u_rail, u_wheel = self.u_rail, self.u_wheel

@@ -217,8 +217,8 @@ def test_a_contact_on_the_end_of_a_profile_is_off_it():
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 def test_a_wheel_that_sinks_over_the_end_of_its_profile_is_off_it(model):
-    """The wheel sinks straight down on a slope: where it is deepest lies further out than where it touched, by
-    depth times sine of the angle, 7 um here."""
+    """The wheel sinks straight down on a slope: where it is deepest lies further out than where it touched,
+    by depth times sine of the angle, 7 um here."""
     gauge, end = 1.54, 60e-3                                    # [m]
     centred = wrcontact.ContactSystem(gauge=gauge, normal_model=model).evaluate().right
     room = end - centred.contact.y_wheel

@@ -77,8 +77,8 @@ def test_moments_are_those_of_the_forces_at_their_points(mode, pose):
 
 @pytest.mark.parametrize("pose", POSES)
 def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
-    """Its centre of load is on the rail's surface, its force along a mean of the rail's normals over the patch,
-    and its rolling radius the wheel's at the abscissa that the attitude gives."""
+    """Its centre of load is on the rail's surface, its force along a mean of the rail's normals over the
+    patch, and its rolling radius the wheel's at the abscissa that the attitude gives."""
     shift, yaw, transfer = POSES[pose]
     state = system().evaluate(shift, yaw, FORCE, transfer)
     table, rail_y = placed_rail()
@@ -97,8 +97,8 @@ def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
             slopes = rail_slope_along(side.contact.y_rail,
                                       patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
             assert min(slopes) <= -math.tan(patch.contact_angle) <= max(slopes)
-            # the wheel sinks straight down, and a patch counts the part of it along its own normal; where it is
-            # deepest has moved by then (second order)
+            # the wheel sinks straight down, and a patch counts the part of it along its own normal; where it
+            # is deepest has moved by then (second order)
             sunk = side.penetration / math.cos(side.contact_angle)
             assert 0.0 < patch.penetration <= sunk / math.hypot(1.0, min(abs(slopes))) * (1 + 1e-3)
             place = np.array([patch.x_track, patch.y_track, patch.z_track])
