@@ -187,7 +187,7 @@ def test_ends_of_the_profiles_are_told():
     first, last = report.usable_shifts
     assert -first == pytest.approx(last, abs=2e-6) and 1 * MM < last < 3 * MM and report.usable
     # the left contact is at the end of the wheel there
-    state = report.system.evaluate(lateral_shift=last)
+    state = report.system.evaluate(lateral_shift=last, outputs="geometry")
     assert state.left.contact.y_wheel == pytest.approx(report.system.wheel.stop, abs=0.02 * MM)
     assert any("leaves the profiles beyond" in remark for remark in report.remarks)
     assert np.isnan(report.conicity.level[3:]).all()

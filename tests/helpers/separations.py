@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 
 import wrcontact
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import curves, separation, traces
+from wrcontact.kernel.contact import curves, planes, separation, traces
 from wrcontact.methods import NUMBERS
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
@@ -110,26 +110,32 @@ class Outline(Curve):
 
 
 class Contact:
-    """The right wheel's contact at a pose: both curves, its abscissae, and the kernel's own frame at it."""
+    """The right wheel at a pose, sunk under ``force``: the region that carries most of it, both curves
+    through its deepest point, their abscissae there, and the kernel's own frame of the region."""
 
-    def __init__(self, shift, yaw=0.0, kind="normal", **parameters):
+    def __init__(self, shift, yaw=0.0, kind="normal", force=78.5e3, **parameters):
         self.system = wrcontact.ContactSystem(separation=kind, **parameters)
         stepper = self.system.stepper()
-        stepper.inputs[:4] = shift, yaw, 0.0, 78.5e3
+        stepper.inputs[:4] = shift, yaw, 0.0, force
         assert stepper.step() == 0
-        self.state = self.system.evaluate(shift, yaw)
+        self.state = self.system.evaluate(shift, yaw, force)
         self.tables, self.memory, self.work = stepper._tables, stepper.state, stepper._workspace
         wheel, rail, end = (int(self.tables[at])
                             for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
         self.rail = Curve(self.tables[rail:end])
         self.wheel = Outline(self.tables[wheel:rail], self.system, self.state)
-        frame = layout.Work.at(self.work).contact.frame
-        self.u_rail, self.u_wheel = frame.rail.y, frame.wheel.y
+        contact = layout.Work.at(self.work).contact
+        index = max(range(contact.overlap.count), key=lambda k: contact.regions[k].load)
+        region, frame = contact.regions[index], contact.frame
+        planes.use_frame(frame, contact.frames, index)
+        frame.raised = 0.0            # separations begin at zero
+        self.u_rail, self.u_wheel = region.rail, region.wheel
+        self.depth = frame.depth
         self.angle = np.arctan2(frame.plane.sin, frame.plane.cos)
 
     def kernel(self, kind, stations, spacing=0.0):
         """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at
-        ``stations`` from the contact."""
+        ``stations`` from the deepest point."""
         tables, work, state = (layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy()),
                                layout.State.at(self.memory))
         tables.separation = NUMBERS["separation"][kind]
@@ -140,8 +146,27 @@ class Contact:
                                                float(s), 1e-13)
                          for s in stations]).T
 
+    def depth_lost(self, u_rail):
+        """How much less deep the wheel is at the rail's point, as it was pressed in along the deepest point's
+        normal [m]."""
+        return self.depth * (1 - np.cos(self.rail.angle(u_rail) - self.rail.angle(self.u_rail)))
+
+    def normal(self, station):
+        """Depth of the deepest point less the overlap along the rail's normal at arc length ``station``, of
+        the outline where it stands."""
+        u_rail = self.rail.at_arc(self.u_rail, station) if station else self.u_rail
+        first, angle = self.rail.angle(self.u_rail), self.rail.angle(u_rail)
+        pressed = self.depth * np.array([-np.sin(first), np.cos(first)])
+
+        def apart(u_wheel):
+            return self.between(u_rail, u_wheel) + pressed
+
+        along = np.array([np.cos(angle), np.sin(angle)])
+        u_wheel = self.wheel._root(lambda u: apart(u) @ along, self.u_wheel - station, 3 * station)
+        return self.depth - apart(u_wheel) @ [-np.sin(angle), np.cos(angle)]
+
     def between(self, u_rail, u_wheel):
-        """Wheel's point less the rail's, both from the contact [m]."""
+        """Wheel's point less the rail's, both from the deepest point [m]."""
         return ((self.wheel.point(u_wheel) - self.wheel.point(self.u_wheel))
                 - (self.rail.point(u_rail) - self.rail.point(self.u_rail)))
 
@@ -158,14 +183,15 @@ class Contact:
         return -self.between(self.u_rail + lateral, u)[1]
 
     def equidistant(self, station):
-        return self.along_mean_normal(self.rail.at_arc(self.u_rail, station),
-                                      self.wheel.at_arc(self.u_wheel, station))
+        u_rail = self.rail.at_arc(self.u_rail, station)
+        u_wheel = self.wheel.at_arc(self.u_wheel, station)
+        return self.along_mean_normal(u_rail, u_wheel) + self.depth_lost(u_rail)
 
     def chords(self, count, spacing):
         u_rail, u_wheel = self.u_rail, self.u_wheel
         for _ in range(count):
             u_rail, u_wheel = self.rail.at_chord(u_rail, spacing), self.wheel.at_chord(u_wheel, spacing)
-        return self.along_mean_normal(u_rail, u_wheel)
+        return self.along_mean_normal(u_rail, u_wheel) + self.depth_lost(u_rail)
 
 
 STATIONS = np.array([0.2e-3, 0.6e-3, 1.1e-3])     # on a flange the rail's side begins soon

@@ -2,6 +2,7 @@
 of contact themselves."""
 
 import csv
+import math
 
 import numpy as np
 import pytest
@@ -206,11 +207,25 @@ def test_a_contact_on_the_end_of_a_profile_is_off_it():
     it as much further out, up to that end."""
     gauge, end = 1.54, 60e-3                                    # [m]
     room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
-    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-6)).evaluate()
+    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-6)).evaluate(outputs="geometry")
     assert inside.status == 0
     for side in (inside.left, inside.right):
         assert side.contact.y_wheel == pytest.approx(end - 1e-6, abs=1e-9)
-    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 1e-6)).evaluate()
+    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 1e-6)).evaluate(outputs="geometry")
+    assert beyond.status == wrcontact.Status.OFF_PROFILE
+
+
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
+def test_a_wheel_that_sinks_over_the_end_of_its_profile_is_off_it(model):
+    """The wheel sinks straight down on a slope: where it is deepest lies further out than where it touched,
+    by depth times sine of the angle, 7 um here."""
+    gauge, end = 1.54, 60e-3                                    # [m]
+    centred = wrcontact.ContactSystem(gauge=gauge, normal_model=model).evaluate().right
+    room = end - centred.contact.y_wheel
+    aside = 107e-6 * math.sin(centred.contact_angle)            # by Hertz's penetration at that place
+    inside, beyond = (wrcontact.ContactSystem(gauge=gauge + 2 * (room - share * aside), normal_model=model)
+                      .evaluate() for share in (1.2, 0.8))
+    assert inside.status == 0
     assert beyond.status == wrcontact.Status.OFF_PROFILE
 
 

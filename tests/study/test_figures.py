@@ -208,7 +208,7 @@ def test_effective_radius(number, factor):
 
 
 @pytest.mark.parametrize("number, length, width",
-                         [("7.6", 0.1, 0.0), ("7.8", 4.1, -2.7), ("7.10", 45.2, -16.8)])
+                         [("7.6", 0.1, 0.0), ("7.8", 3.9, -2.4), ("7.10", 46.3, -17.4)])
 def test_effective_radius_stretches_the_patch(number, length, width):
     numbers = figure(number).numbers
     assert numbers["effective: length [%]"] == pytest.approx(length, abs=0.3)
@@ -264,11 +264,11 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
     assert area == sorted(area)
     assert tread["no yaw, wheelset narrower by cos(2 deg): area [mm2]"] == pytest.approx(area[2], rel=0.01)
     assert root["yaw 2 deg: x_wheel [mm]"] == pytest.approx(42.762, abs=1e-2)   # on the flange
-    assert root["yaw 2 deg: largest pressure [MPa]"] > 1.9 * root["yaw 0 deg: largest pressure [MPa]"]
+    assert root["yaw 2 deg: largest pressure [MPa]"] > 1.8 * root["yaw 0 deg: largest pressure [MPa]"]
     length, width = ([flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)]
                      for what in ("length", "width"))
     assert length == sorted(length, reverse=True) and width == sorted(width)
-    assert length == pytest.approx([28.4, 25.5, 21.7], abs=0.2)
+    assert length == pytest.approx([28.6, 25.5, 21.6], abs=0.2)
     for numbers in (tread, root, flange):
         for yaw in (0, 1, 2):
             assert numbers[f"yaw {yaw} deg: area [mm2]"] == pytest.approx(

@@ -89,18 +89,19 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
 @pytest.mark.parametrize("shift", [6.0, 6.5])
 @pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
 def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
-    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the
-    kernel with the same options."""
-    from wrcontact.study.patch_tables import study_patch
-
+    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same
+    options. The source's gap is that of a wheel that just touches; the kernel's wheel sinks, by 0.04 % of
+    the radius of the flange root under this load (by 0.8 % under 78.5 kN)."""
+    force = 1e3
     section = STUDY.section(shift)
     nodes = {"normal": section.normal, "equidistant": section.equidistant,
              "equidistant_chord": lambda ds,
-             count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
-    patch = study_patch(nodes, section, section.smooth_lateral(nodes, 3e-3))
-    side = ContactSystem(separation=separation,
-                         lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
+             count: section.equidistant(ds, count, chords=True)}[separation](0.01e-3, 400)
+    patch = solve_analyn(nodes.station, np.maximum(nodes.gap, 0.0), section.longitudinal(nodes.wheel, True),
+                         section.smooth_lateral(nodes, 3e-3), force=force, modulus=MODULUS)
+    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(
+        lateral_shift=shift / 1e3, normal_force=force).right
     assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
     assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
     assert patch.length == pytest.approx(side.patch_length, rel=0.003)
-    assert patch.width == pytest.approx(side.patch_width, rel=0.02)
+    assert patch.width == pytest.approx(side.patch_width, rel=0.02, abs=0.01e-3)     # in whole nodes

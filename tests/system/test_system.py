@@ -25,7 +25,7 @@ def test_the_interface_of_the_readme(system):
     assert state.roll == pytest.approx(-5.4104e-5, abs=1e-9)
     right = state.right
     assert right.contact.y_wheel == pytest.approx(-9.3567e-3, abs=1e-6)
-    assert right.penetration == pytest.approx(7.96e-5, rel=0.0055)       # complete theory; measured 0.37 %
+    assert right.penetration == pytest.approx(7.952e-5, rel=0.006)       # complete theory; measured 0.45 %
     assert right.patches[0].area == pytest.approx(right.area)
     assert right.patches[0].normal_force == pytest.approx(78.5e3)
     assert (right.outline.station.shape == right.outline.half_length.shape == right.outline.pressure.shape
@@ -87,10 +87,13 @@ def test_no_results_of_another_pose(system, shift, status):
 
 @pytest.mark.parametrize("force", [78.5e6, np.array([1e3, math.nan, 78.5e6])], ids=["one", "many"])
 def test_a_force_in_wrong_units_is_remarked(system, force):
-    """78500 kN for 78.5 kN: the result is computed, with a warning that has the numbers."""
+    """78500 kN for 78.5 kN: a warning has the numbers. There is no result: the wheel would sink by 8 mm."""
     call = system.evaluate if np.ndim(force) == 0 else system.evaluate_many
     with pytest.warns(UnusualValueWarning, match=r"normal_force is 7.85e\+07 N; usual is 0 ... 1e\+06 N"):
-        assert np.max(call(normal_force=force).status) in (0, 4)
+        status = np.max(call(normal_force=force).status)
+    assert status == (Status.OFF_PROFILE if np.ndim(force) == 0 else Status.INVALID_INPUT)
+    with pytest.warns(UnusualValueWarning):
+        assert system.evaluate(normal_force=2e6).status == 0
 
 
 def test_unusual_parameters_are_remarked():

@@ -12,7 +12,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import FORCE, LOADS, MODELS, POSES, system
-from tests.helpers.elastic import placed_rail, rail_slope_along
+from tests.helpers.elastic import placed_rail, rail_point_along, rail_slope_along
 from tests.helpers.numpy_profiles import compile_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import readable_wheel
@@ -53,10 +53,11 @@ def test_patches_add_up_to_wheels_and_wheels_to_the_wheelset(mode, model, load, 
         np.testing.assert_allclose(sum(vector(patch.force) for patch in side.patches), vector(side.force),
                                    rtol=0, atol=1e-12 * side.normal_force)
         for patch in side.patches:
-            # less than its load where the normal turns over the patch: 40 deg in conformal contact
+            # less than its load where the normal turns over the patch: with a line load like 1 - u^2 over
+            # -t < u t < t it is 3 (sin t - t cos t) / t^3, 0.955 where the rail turns by 2 t = 77 deg
             size = np.linalg.norm(vector(patch.force))
             assert patch.force.x == 0.0 and size <= patch.normal_force * (1 + 1e-12)
-            assert size > 0.96 * patch.normal_force
+            assert size > 0.955 * patch.normal_force
             assert math.atan2(-sign * patch.force.y, -patch.force.z) == pytest.approx(patch.contact_angle,
                                                                                       abs=1e-12)
 
@@ -76,8 +77,8 @@ def test_moments_are_those_of_the_forces_at_their_points(mode, pose):
 
 @pytest.mark.parametrize("pose", POSES)
 def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
-    """Its centre of load is on the rail's surface, its force along the rail's normal there (rigid contact in
-    one plane), and its rolling radius the wheel's at the abscissa that the attitude gives."""
+    """Its centre of load is on the rail's surface, its force along a mean of the rail's normals over the
+    patch, and its rolling radius the wheel's at the abscissa that the attitude gives."""
     shift, yaw, transfer = POSES[pose]
     state = system().evaluate(shift, yaw, FORCE, transfer)
     table, rail_y = placed_rail()
@@ -90,14 +91,22 @@ def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
             height, slope, _ = evaluate_table(table, sign * patch.y_track - rail_y)
             if side.patch_count == 1:
                 assert patch.z_track == pytest.approx(height, abs=1e-12)
-                assert math.tan(patch.contact_angle) == pytest.approx(-slope, abs=1e-9)
+                on_rail = rail_point_along(side.contact.y_rail, patch.centroid)
+                # a dense grid of 0.25 um; the kernel's arcs come from a table
+                assert sign * patch.y_track - rail_y == pytest.approx(on_rail, abs=2e-8)
+            slopes = rail_slope_along(side.contact.y_rail,
+                                      patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
+            assert min(slopes) <= -math.tan(patch.contact_angle) <= max(slopes)
+            # the wheel sinks straight down, and a patch counts the part of it along its own normal; where it
+            # is deepest has moved by then (second order)
+            sunk = side.penetration / math.cos(side.contact_angle)
+            assert 0.0 < patch.penetration <= sunk / math.hypot(1.0, min(abs(slopes))) * (1 + 1e-3)
             place = np.array([patch.x_track, patch.y_track, patch.z_track])
             on_wheel = sign * (axle @ (place - centre)) - 0.75
             radius = 0.46 + evaluate_table(wheel, on_wheel)[0]
             # at the wheel's own slope from its point of smallest gap, which the penetration moves aside
             assert patch.rolling_radius == pytest.approx(radius, abs=4e-4 * max(1.0, abs(slope)))
         assert side.patches[0].penetration == pytest.approx(side.penetration, rel=0.6)
-        assert 0.0 < side.patches[0].penetration <= side.penetration * (1 + 1e-12)
 
 
 @pytest.mark.parametrize("rail, methods",

@@ -89,7 +89,8 @@ def test_every_changed_input_is_evaluated(place):
     for following in (changed, row):
         before = counts_of(stepper)
         step(stepper, following)
-        assert all(counts_of(stepper)[name] > before[name] for name in COUNTERS)
+        # strips have no force iterations
+        assert all(counts_of(stepper)[name] > before[name] for name in COUNTERS if name != "solve")
 
 
 def test_a_failed_step_is_tried_again():
@@ -297,12 +298,12 @@ CLASSES = {
     "two_point": rows_of(RNG.uniform(4.5e-3, 5.3e-3, 2000)),
 }
 #: Vertical gaps, scans, normal gaps and force iterations of both wheels: a tenth more than measured.
-ANALYN_BUDGETS = {"trajectory": (71, 2.4, 62, 8), "yawed_trajectory": (73, 2.4, 62, 8),
-                  "random": (66, 2.3, 60, 8), "yawed": (86, 2.5, 66, 8.5), "two_point": (92, 2.5, 94, 8.6)}
-#: The strip correction lays nodes farther out, and solves systems of 24 strips.
-STRIP_BUDGETS = {"trajectory": (71, 2.4, 85, 7.6, 5.8), "yawed_trajectory": (73, 2.4, 85, 7.6, 5.8),
-                 "random": (66, 2.3, 84, 7.5, 5.5), "yawed": (86, 2.5, 90, 7.9, 6.1),
-                 "two_point": (92, 2.5, 126, 8.3, 6.7)}
+ANALYN_BUDGETS = {"trajectory": (93, 2.4, 59, 8), "yawed_trajectory": (95, 2.4, 59, 8),
+                  "random": (84, 2.3, 58, 8), "yawed": (108, 2.5, 61, 8.5), "two_point": (105, 2.5, 78, 8.6)}
+#: Strips are laid twice, and their systems are solved by elimination: no force iterations, but sweeps.
+STRIP_BUDGETS = {"trajectory": (93, 2.4, 123, 0, 11.4), "yawed_trajectory": (95, 2.4, 123, 0, 11.4),
+                 "random": (84, 2.3, 121, 0, 10.6), "yawed": (108, 2.5, 125, 0, 11.7),
+                 "two_point": (105, 2.5, 133, 0, 12.4)}
 
 
 @pytest.mark.parametrize("name", CLASSES)

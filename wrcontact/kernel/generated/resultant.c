@@ -86,7 +86,6 @@ static inline int64_t resultant__clear_force(array_double_1d work, int64_t patch
 static inline int64_t resultant__add_part_force(array_double_1d work, array_double_1d tables, int64_t block, int64_t part, int64_t patch, double mirror, int64_t resultant)
 {
     double load;
-    double cosine;
     double away;
     double abscissa;
     double height;
@@ -102,20 +101,19 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
     double wheel_slope;
     int64_t force;
     load = (*cspan_at(&work, part + layout__SOLVED_PART_LOAD));
-    /* of the region's plane */
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
-    {
-        cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)));
-    }
-    /* from the region's smallest gap to the part's centre of load, along its plane; a part that carries less */
-    /* than nothing (patch/filling.py) has no such centre */
+    /* from the region's smallest gap to the part's centre of load; a part that carries less than nothing */
+    /* (patch/filling.py) has no such centre */
     away = 0.0;
     if (load > 0.0)
     {
         away = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
     }
-    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
+    /* stations of a wheel that just touches are those of its contact plane, all others run along the rail */
+    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, block + layout__REGION_RAIL)), away);
+    }
     profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     normal_cos = 1.0 / sqrt(1.0 + slope * slope);
     normal_sin = slope * normal_cos;

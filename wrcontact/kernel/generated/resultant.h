@@ -16,6 +16,7 @@
 #define WRCONTACT_KERNEL_RESULTANT_H
 
 #include "../native/spans.h"
+#include "arc_length.h"
 #include "layout.h"
 #include "profile_table.h"
 

@@ -32,6 +32,12 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
+    if ((satisfied == INT64_C(0)) && ((*count) == INT64_C(0)))
+    {
+        /* it overlaps most at the end of a profile */
+        (*result_1) = layout__OFF_PROFILE;
+        return 0;
+    }
     if (satisfied == INT64_C(0))
     {
         (*result_1) = layout__NOT_CONVERGED;

@@ -85,77 +85,70 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
 {
     double load_t;
     double load;
-    double cosine_t;
-    double cosine;
-    double v1;
-    double v2;
-    double v3;
     double away_t;
     double away;
-    double v4;
+    double v1;
     double abscissa_t;
     double abscissa;
+    double v2;
+    double v2_t;
     double height;
     double height_t;
     double slope;
     double slope_t;
+    double v3;
+    double v4;
     double v5;
-    double v6;
-    double v7;
     double normal_cos_t;
     double normal_cos;
     double normal_sin_t;
     double normal_sin;
     double x_t;
     double x;
-    double v8;
+    double v6;
     double y_t;
     double y;
     double z_t;
     double z;
-    double v9;
+    double v7;
     double force_y_t;
     double force_y;
-    double v10;
+    double v8;
     double force_z_t;
     double force_z;
     double wheel_height;
     double wheel_height_t;
     double wheel_slope;
     double wheel_slope_t;
+    double v9;
+    double v10;
     double v11;
-    double v12;
-    double v13;
     int64_t force;
-    double v14;
+    double v12;
     load_t = (*cspan_at(&work_t, part + layout__SOLVED_PART_LOAD));
     load = (*cspan_at(&work, part + layout__SOLVED_PART_LOAD));
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
-    {
-        v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION));
-        v2 = sqrt(v1);
-        v3 = 1.0 / v2;
-        cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)) + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work_t, block + layout__REGION_INCLINATION))) / v2;
-        cosine = v3;
-    }
     away_t = 0.0;
     away = 0.0;
     if (load > 0.0)
     {
-        v4 = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load;
-        away_t = ((*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) - v4 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
-        away = v4 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+        v1 = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load;
+        away_t = ((*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) - v1 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
+        away = v1 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
     }
-    abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL)) + (away_t * cosine + away * cosine_t);
-    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
+    abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL)) + (away_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + away * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        tangent_arc_length__rail_abscissa_t(&v2, &v2_t, tables, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), away, away_t);
+        abscissa_t = v2_t;
+        abscissa = v2;
+    }
     tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-    v5 = 1.0 + slope * slope;
-    v6 = sqrt(v5);
-    v7 = 1.0 / v6;
-    normal_cos_t = (-v7) * tangent_rates__root_rate(v6, slope_t * slope + slope * slope_t) / v6;
-    normal_cos = v7;
+    v3 = 1.0 + slope * slope;
+    v4 = sqrt(v3);
+    v5 = 1.0 / v4;
+    normal_cos_t = (-v5) * tangent_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+    normal_cos = v5;
     normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
     normal_sin = slope * normal_cos;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -167,17 +160,17 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
     }
     x_t = (*cspan_at(&work_t, block + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, block + layout__REGION_SLANT)) * away + (*cspan_at(&work, block + layout__REGION_SLANT)) * away_t);
     x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
-    v8 = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa;
-    y_t = mirror_t * v8 + mirror * abscissa_t;
-    y = mirror * v8;
+    v6 = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa;
+    y_t = mirror_t * v6 + mirror * abscissa_t;
+    y = mirror * v6;
     z_t = height_t;
     z = height;
-    v9 = mirror * normal_sin;
-    force_y_t = (mirror_t * normal_sin + mirror * normal_sin_t) * load + v9 * load_t;
-    force_y = v9 * load;
-    v10 = -normal_cos;
-    force_z_t = (-normal_cos_t) * load + v10 * load_t;
-    force_z = v10 * load;
+    v7 = mirror * normal_sin;
+    force_y_t = (mirror_t * normal_sin + mirror * normal_sin_t) * load + v7 * load_t;
+    force_y = v7 * load;
+    v8 = -normal_cos;
+    force_z_t = (-normal_cos_t) * load + v8 * load_t;
+    force_z = v8 * load;
     (*cspan_at(&work_t, resultant + INT64_C(1))) = (*cspan_at(&work_t, resultant + INT64_C(1))) + force_y_t;
     (*cspan_at(&work, resultant + INT64_C(1))) = (*cspan_at(&work, resultant + INT64_C(1))) + force_y;
     (*cspan_at(&work_t, resultant + INT64_C(2))) = (*cspan_at(&work_t, resultant + INT64_C(2))) + force_z_t;
@@ -189,10 +182,10 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
     (*cspan_at(&work_t, resultant + INT64_C(5))) = (*cspan_at(&work_t, resultant + INT64_C(5))) + (x_t * force_y + x * force_y_t);
     (*cspan_at(&work, resultant + INT64_C(5))) = (*cspan_at(&work, resultant + INT64_C(5))) + x * force_y;
     tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-    v11 = 1.0 + wheel_slope * wheel_slope;
-    v12 = sqrt(v11);
-    v13 = away / v12;
-    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, block + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, block + layout__REGION_WHEEL)) + (away_t - v13 * tangent_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
+    v9 = 1.0 + wheel_slope * wheel_slope;
+    v10 = sqrt(v9);
+    v11 = away / v10;
+    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, block + layout__REGION_WHEEL)) + v11, (*cspan_at(&work_t, block + layout__REGION_WHEEL)) + (away_t - v11 * tangent_rates__root_rate(v10, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v10);
     force = patch + layout__SOLVED_PATCH_FORCE;
     (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) + force_y_t;
     (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) + force_y;
@@ -204,9 +197,9 @@ static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, 
     (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) + load * y;
     (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) + (load_t * z + load * z_t);
     (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) + load * z;
-    v14 = (*cspan_at(&tables, layout__TABLES_RADIUS)) + wheel_height;
-    (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + (load_t * v14 + load * wheel_height_t);
-    (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + load * v14;
+    v12 = (*cspan_at(&tables, layout__TABLES_RADIUS)) + wheel_height;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + (load_t * v12 + load * wheel_height_t);
+    (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + load * v12;
     return INT64_C(0);
 }
 

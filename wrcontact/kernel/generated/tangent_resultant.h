@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "tangent_arc_length.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
 

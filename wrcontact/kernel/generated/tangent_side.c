@@ -32,6 +32,11 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
+    if ((satisfied == INT64_C(0)) && ((*count) == INT64_C(0)))
+    {
+        (*result_1) = layout__OFF_PROFILE;
+        return 0;
+    }
     if (satisfied == INT64_C(0))
     {
         (*result_1) = layout__NOT_CONVERGED;

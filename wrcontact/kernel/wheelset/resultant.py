@@ -12,6 +12,7 @@ over its patches, and that of the wheelset the sum over both wheels.
 
 from math import atan, sqrt
 
+from ..contact.arc_length import rail_abscissa
 from ..layout import (
     LOAD_VERTICAL,
     RESULTANT_COUNT,
@@ -73,16 +74,15 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
     """Add the force of a part of a patch, which lies in the region ``block``, to the patch and to
     ``resultant``; the patch's centre of load [m] is weighted by the loads, until :func:`finish_force`."""
     load = part.load
-    # of the region's plane
-    cosine = frame.plane.cos
-    if frame.pressed or block.own:
-        cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
-    # from the region's smallest gap to the part's centre of load, along its plane; a part that carries less
-    # than nothing (patch/filling.py) has no such centre
+    # from the region's smallest gap to the part's centre of load; a part that carries less than nothing
+    # (patch/filling.py) has no such centre
     away = 0.0
     if load > 0.0:
         away = part.moment / load - block.offset - block.station
-    abscissa = block.rail + away * cosine
+    # stations of a wheel that just touches are those of its contact plane, all others run along the rail
+    abscissa = block.rail + away * frame.plane.cos
+    if frame.pressed:
+        abscissa = rail_abscissa(tables, block.rail, away)
     height, slope = height_slope(tables.rail, abscissa)
     normal_cos = 1.0 / sqrt(1.0 + slope * slope)
     normal_sin = slope * normal_cos

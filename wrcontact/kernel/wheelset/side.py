@@ -44,6 +44,9 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     penetration, count, satisfied = solve_normal(tables, work.contact, state, work.sides[index], out, force,
                                                  prescribed)
     out.penetration = penetration
+    if satisfied == 0 and count == 0:
+        # it overlaps most at the end of a profile
+        return count, OFF_PROFILE
     if satisfied == 0:
         return count, NOT_CONVERGED
     if work.contact.filling:
