@@ -44,7 +44,7 @@ def test_the_ridge_of_a_yawed_wheel_s_patch_is_as_oblique_as_its_gap(shift, yaw)
     track = brute_force.track()
     height = contact.frame.height       # to which it has sunk
     sunk = state.right.penetration / math.cos(state.right.contact_angle)
-    assert height - state.vertical_shift == pytest.approx(sunk, rel=0.1)
+    assert height - state.vertical_shift == pytest.approx(sunk, rel=0.2)
     pose = brute_force.Pose(shift, yaw, state.roll, height)
     low, high = (abscissa_at(track, point.rail, way) for way in (-region.width_low, region.width_high))
     slant = (ridge(track, pose, high) - ridge(track, pose, low)) / (region.width_low + region.width_high)
