@@ -337,16 +337,18 @@ def test_unloaded_wheels_keep_their_geometry(system):
 
 def test_work_is_bounded(system):
     """Counts per pose, in trajectory order and at random: the budget that performance rests on. Some twenty
-    of the gaps look at the ends of the profiles and for minima between two nodes of the scan."""
+    of the gaps look at the ends of the profiles and for minima between two nodes of the scan, some forty for
+    what overlaps where the wheels are pressed."""
     stepper = system.stepper()
     for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)),
-                                 (73, 2.3, 135, 11)),
+                                 (87, 2.3, 57, 7.8)),
                                 ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000),
-                                 (73, 2.3, 135, 11))):
+                                 (87, 2.3, 57, 7.8))):
         stepper.state[:] = 0.0
         inputs = np.zeros((2000, layout.INPUT_COUNT))
         inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3
         stepper.step_many(inputs, np.zeros((2000, layout.OUTPUT_COUNT)), np.zeros(2000))
         counts = stepper.state[[layout.STATE_GAP_COUNT, layout.STATE_SCAN_COUNT, layout.STATE_NODE_COUNT,
                                 layout.STATE_SOLVE_COUNT]] / 2000
+        # measured 84.0, 2.2, 52.8, 7.3 and 84.9, 2.1, 55.1, 7.6
         assert np.all(counts <= budget), (name, counts)
