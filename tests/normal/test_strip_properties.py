@@ -160,8 +160,8 @@ def test_prescribed_penetration_is_the_inverse():
     assert np.percentile(error, 99) < 0.028
 
 
-@pytest.mark.xfail(strict=True, reason="regions that overlap at the penetration that is found, but not yet at "
-                                       "the one that was estimated first, are missed")
+@pytest.mark.xfail(strict=True, reason="a region that overlaps at the penetration that is found, but not "
+                                       "yet at the estimated one, is missed")
 @pytest.mark.parametrize("pose, side", [((0.39926e-3, 0.0, 3010.27), "right"),
                                         ((-0.65543e-3, -1.31087e-3, 9696.16), "left")])
 def test_a_region_that_is_deeper_than_estimated_takes_up_load(pose, side):

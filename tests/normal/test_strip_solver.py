@@ -46,8 +46,8 @@ def test_influence_is_the_integral_over_the_line(t, e):
 
 @pytest.mark.parametrize("low, high, error", [(0.0, 1e-9, 1e-3), (0.0, 0.7, 0.01), (0.7, 0.97, 0.04)])
 def test_influence_table_holds_it(low, high, error):
-    """On the middle line, and up to the end of a strip, for strips from a hundredth of a half-length on: Phi is
-    1 ... 10 there. Farther away the table is as good everywhere."""
+    """On the middle line, and up to the end of a strip, for strips from a hundredth of a half-length on: Phi
+    is 1 ... 10 there. Farther away the table is as good everywhere."""
     array = influence_table()
     table = InfluenceTable.at(array)
     rng = np.random.default_rng(5)
@@ -67,7 +67,8 @@ def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
     assert float(influence(1e-3, 0.0)) == pytest.approx(2 * math.log(4e3) - 2, abs=5e-4)
     assert float(influence(1e3, 0.0)) == pytest.approx(math.pi / 2e3, rel=1e-6)
     half, width = 3.0, 0.01
-    assert 2 * math.log(8 * half / width) == pytest.approx(float(mean_influence(width / 2 / half, 0.0)), abs=5e-4)
+    mean = float(mean_influence(width / 2 / half, 0.0))
+    assert 2 * math.log(8 * half / width) == pytest.approx(mean, abs=5e-4)
 
 
 # --- the linear system ----------------------------------------------------------------------------
@@ -94,8 +95,8 @@ def test_elimination(size):
 
 
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
-    """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in penetration,
-    area and pressure (3,)."""
+    """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in
+    penetration, area and pressure (3,)."""
     tables, work, state, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
     contact = work.contact
     contact.frame.plane.cos, contact.frame.sunk = 1.0, True
@@ -141,8 +142,8 @@ def test_strips_on_constant_curvatures_are_nearly_hertz(ratio, sweeps, allowed):
 
 @pytest.mark.parametrize("ratio", [0.05, 0.2, 1.0, 5.0, 20.0])
 def test_error_falls_with_the_strips(ratio):
-    """From 16 strips to 64 with as many sweeps as there are; half a per cent of the area stays where a patch is
-    long and thin, whose few strips come nearer by chance."""
+    """From 16 strips to 64 with as many sweeps as there are; half a per cent of the area stays where a patch
+    is long and thin, whose few strips come nearer by chance."""
     few, many = (np.abs(solve_constant_curvatures(1.0, ratio, 1e4, count=count, sweeps=4)).max()
                  for count in (16, 64))
     # measured 0.38, 0.26, 0.45, 1.15, 0.30 % and 0.22, 0.15, 0.07, 0.54, 0.49 %
@@ -151,7 +152,8 @@ def test_error_falls_with_the_strips(ratio):
 
 
 def test_halves_of_strips_stay_above_half_their_width():
-    """A patch a twenty-fifth as long as wide is shorter than a strip is wide; with more strips the error goes."""
+    """A patch a twenty-fifth as long as wide is shorter than a strip is wide; with more strips the error
+    goes."""
     # measured 11.5 and 2.6 % at most
     assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0)) < 0.17)
     assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0, count=64)) < 0.039)
@@ -213,7 +215,7 @@ def test_yawed_ball_end_to_end(yaw, force, analyn):
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 90.0, 0.0, 90.0, -1),))
     given = {"analyn": {}, "analyn_strip": {}, "halfspace": {"tolerance": 2e-3}}
     state = {model: wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3,
-                                            normal_model=model, **more).evaluate(2e-3, yaw, normal_force=force)
+                                            normal_model=model, **more).evaluate(2e-3, yaw, force)
              for model, more in given.items()}
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
