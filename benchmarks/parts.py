@@ -30,6 +30,7 @@ from . import (
     stations,
     store,
     tangents,
+    trajectory,
 )
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
@@ -165,6 +166,7 @@ PARTS = {
     "threads": Part(TIMES, thread_times),
     "station_times": Part(TIMES, lambda effort: timed(stations.times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
+    "trajectory": Part(TIMES, lambda effort: trajectory.measured(quick=effort is rows.QUICK)),
     "derivative_times": Part(TIMES, lambda effort: timed(tangents.times(effort))),
     "conformal": Part(STUDIES, lambda effort: conformal.measured(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),

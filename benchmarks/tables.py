@@ -199,6 +199,12 @@ def trial_table(parts):
                  for name, row in parts["elastic_trials"]["rows"].items()])
 
 
+def trajectory_table(parts):
+    return grid(["1 ms steps", "units", "asked", "µs", *COUNTS],
+                [[name, *(figure(row[column]) for column in ("units", "asked", "µs", *COUNTS))]
+                 for name, row in parts["trajectory"]["rows"].items()])
+
+
 def roll_table(parts):
     return grid(["yaw", "largest change of the roll in 1 µm [µrad]", "at [mm]"],
                 [[name, figure(row["step"]), f"{row['at']:.3f}"]
@@ -266,6 +272,7 @@ TABLES = {
     "models": Table(BENCHMARKS, MODEL_PARTS, models, ERRORS),
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), count_table),
+    "trajectory": Table(BENCHMARKS, ("trajectory",), trajectory_table),
     "growth": Table(BENCHMARKS, ("growth",), growth_table),
     "threads": Table(BENCHMARKS, ("threads",), thread_table),
     "tolerances": Table(BENCHMARKS, ("tolerances",), tolerance_table, ERRORS),

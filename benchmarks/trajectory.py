@@ -1,7 +1,7 @@
 """Cost and work of a step on the trajectory that the speed is judged by: a wheelset that hunts from flange to
 flange, with a faster motion on top and a load that changes.
 
-    python -m benchmarks.trajectory
+    python -m benchmarks trajectory
 
 One step of 1 ms after another by a single call of the stepper; a step has both wheels and all outputs.
 """
@@ -12,11 +12,11 @@ import wrcontact
 from wrcontact.kernel import layout
 
 from .counts import COUNTS
-from .machine import cost, description
-from .table import figure, markdown
+from .machine import cost
 
 STEP = 1e-3                 # [s]
-STEPS, ROUNDS = 20_000, 3
+STEPS, ROUNDS = 5_000, 3    # which are timed
+WHOLE = 20_000              # from these, work is counted
 #: Name of the row, parameters, and the units of ``np.sqrt`` of 2000 doubles that a step is to cost at most;
 #: None where none is asked for.
 ROWS = {
@@ -28,7 +28,6 @@ ROWS = {
     "strips, compliant": (dict(contact_mode="compliant", normal_model="analyn_strip"), 20.0),
     "strips, elastic": (dict(contact_mode="elastic", normal_model="analyn_strip"), 62.0),
 }
-HEADER = ["trajectory of 1 ms steps", "units", "asked", "µs", *COUNTS]
 
 
 def motion(count, every=1):
@@ -66,20 +65,16 @@ def work(parameters, count, every=1):
     return stepper.state[list(COUNTS.values())] / count
 
 
-def measured(count=STEPS, rounds=ROUNDS):
-    """Rows of the table."""
-    for name, (parameters, asked) in ROWS.items():
-        stand = parameters.get("contact_mode") == "compliant"
-        call, stepper = steps_of(parameters, inputs(count, stand=stand))
-        took = cost(call, count, rounds)
-        yield [name, figure(took.units), figure(asked), figure(took.microseconds),
-               *(f"{value:.1f}" for value in work(parameters, min(count, 2000), max(1, count // 2000)))]
+def measured(quick=False):
+    """Rows by name: units and microseconds of a step, what was asked, and the counts."""
+    count, rounds = (5, 1) if quick else (STEPS, ROUNDS)
+    return {name: row_of(*ROWS[name], count, rounds) for name in ROWS}
 
 
-def table(count=STEPS, rounds=ROUNDS):
-    return markdown("Trajectory", HEADER, list(measured(count, rounds)))
-
-
-if __name__ == "__main__":
-    print(table())
-    print(description())
+def row_of(parameters, asked, count, rounds):
+    """One row of :func:`measured`."""
+    stand = parameters.get("contact_mode") == "compliant"
+    call, _ = steps_of(parameters, inputs(count, stand=stand))
+    took = cost(call, count, rounds)
+    found = work(parameters, min(count, 2000), max(1, WHOLE // 2000))
+    return {"units": took.units, "asked": asked, "µs": took.microseconds, **dict(zip(COUNTS, found.tolist()))}

@@ -282,10 +282,10 @@ def test_wrong_input_is_one_sentence(run, tmp_path, words, told):
 def test_a_force_in_wrong_units_is_remarked_once(run):
     """In the option's name and unit; the result is printed all the same."""
     for command in ("solve", "sweep --from-mm 0 --to-mm 1"):
-        code, out, err = run(*command.split(), "--normal-force-kn", "78500", "--nominal-radius-mm", "920")
+        code, out, err = run(*command.split(), "--normal-force-kn", "5000", "--nominal-radius-mm", "920")
         assert code == 0 and out and err.splitlines() == [
             "wrcontact: --nominal-radius-mm is 920 mm; usual is 125 ... 700 mm. It is used as it is.",
-            "wrcontact: --normal-force-kn is 78500 kN; usual is 0 ... 1000 kN. It is used as it is."]
+            "wrcontact: --normal-force-kn is 5000 kN; usual is 0 ... 1000 kN. It is used as it is."]
 
 
 def test_a_bug_is_seen(monkeypatch):

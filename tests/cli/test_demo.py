@@ -126,22 +126,15 @@ def test_a_few_patches_may_miss_their_tolerance_but_not_many(answers, name, fact
     assert failed(answers) == [quantity]
 
 
-def test_a_pressure_in_another_plane_is_not_compared(answers):
-    """Where a loaded patch leans away from the contact plane by more than 15 deg; every other value is."""
+def test_patches_that_lean_are_compared_as_all_others(answers):
+    """A pressure counts whatever the angles of the patches, and every value is counted."""
     for k, force in ((1, 6e4), (2, 2e4), (3, 0.0)):
         answers[f"right.patch[{k}].normal_force"] = np.full(160, force)
-        # no load, no matter
-        answers[f"right.patch[{k}].contact_angle"] = answers["right.contact_angle"] + (k == 3)
+        answers[f"right.patch[{k}].contact_angle"] = answers["right.contact_angle"] + 0.8 * (k == 2)
     answers["right.max_pressure"][40] *= 0.5
     assert failed(answers) == ["largest pressure"]
-    answers["right.patch[2].contact_angle"][40] += np.radians(14)
-    assert failed(answers) == ["largest pressure"]
-    answers["right.patch[2].contact_angle"][40] += np.radians(2)
-    assert failed(answers) == []
     check = next(check for check in compare(answers, stored_run()) if check.quantity == "largest pressure")
-    assert check.count == 2 * 160 - 1
-    answers["right.area"][40] *= 0.5
-    assert failed(answers) == ["area"]
+    assert check.count == 2 * 160 and check.within == check.count - 1
 
 
 @pytest.mark.parametrize("name, change", [("roll", 0.9e-9), ("left.contact.z_rail", 0.9e-6)])

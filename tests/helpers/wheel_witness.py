@@ -263,13 +263,11 @@ class WheelWitness:
 
     @cached_property
     def under_load(self):
-        """The wheel where it overlaps the rail by its penetration: a rigid wheel is pressed along the normal
-        of the contact point."""
+        """The wheel where it overlaps the rail by its penetration: a rigid wheel sinks straight down."""
         if self.pressed:
             return self.pose
-        angle, depth = self.contact.contact_angle, self["penetration"]
-        return replace(self.pose, lateral_shift=self.shift + depth * sin(angle),
-                       vertical_shift=self.pose.vertical_shift + depth * cos(angle))
+        sunk = self["penetration"] / cos(self.contact.contact_angle)
+        return replace(self.pose, vertical_shift=self.pose.vertical_shift + sunk)
 
     def abscissa(self, k):
         """Of the rail [m] where patch ``k`` has its centre of load."""

@@ -115,44 +115,53 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
 
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_complete_theory_on_the_planar_gap(system, case):
-    """CONTACT's frictionless solution for the same gap."""
+    """CONTACT's frictionless solution for the gap in the tangent plane. At 5 and 6 mm the patch turns by
+    10 degrees and more, so that this is another gap; there CONTACT counts with wheel and rail as they are,
+    below."""
     truth = case["solution"]
     side = system.evaluate(lateral_shift=case["y_ws_mm"] * 1e-3, normal_force=78.5e3).right
     assert side.contact_angle == pytest.approx(-case["delta_rad"], abs=1e-4)
     # theirs is r / cos(angle in the track), exact is the angle in the wheelset's
     # frame: roll times tan(angle) less
     assert 1e3 / side.curvature_x == pytest.approx(case["R_x_mm"], rel=4e-4)
-    # measured 0.81, 5.04, 3.24 % at most
-    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.012)
-    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.075)
-    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.048)
     assert side.patch_count == len(truth["regions"])
-    loads = sorted((region["fn_N"] for region in truth["regions"]), reverse=True)
-    # measured 2.7 %
-    np.testing.assert_allclose([patch.normal_force for patch in side.patches], loads, rtol=0.04)
-    # the load-weighted centre, measured 0.31 mm at most, on a tread patch 20 mm wide
+    if case["y_ws_mm"] >= 5.0:
+        return
+    # measured 0.58, 1.39, 3.34 % at most
+    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.0088)
+    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.0209)
+    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.048)
+    # the load-weighted centre, measured 0.29 mm at most, on a tread patch 20 mm wide
     centre = sum(region["s_centroid_mm"] * region["fn_N"] for region in truth["regions"]) / 78500
-    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=4.7e-4)
+    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=4.3e-4)
 
 
-def test_complete_theory_with_full_geometry_and_yaw(system):
-    """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. At 5 and
-    6 mm its load-weighted contact plane is 0.02 ... 0.09 rad away from the rigid one and the
-    figures are not comparable."""
+@pytest.mark.parametrize("model, mean, worst", [
+    # measured 0.71, 1.29, 0.72 % and 1.29, 6.48, 3.21 %
+    ("analyn", (0.0092, 0.0168, 0.0094), (0.0194, 0.0972, 0.0481)),
+    # measured 0.34, 0.97, 0.33 % and 0.98, 1.74, 0.87 %
+    ("analyn_strip", (0.0045, 0.0126, 0.0044), (0.0147, 0.0261, 0.0130)),
+    # measured 0.20, 0.24, 0.11 % and 0.57, 1.05, 0.30 %
+    ("halfspace", (0.0027, 0.0032, 0.0014), (0.0086, 0.0158, 0.0045)),
+])
+def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
+    """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. Its contact plane is the
+    load-weighted one; at 5 and 6 mm that is 0.09 and 0.02 rad away from the rigid one, which turns the
+    approach by 0.4 % at most."""
     with open(REFERENCE_DATA / "contact_full.csv", newline="") as file:
         finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in csv.DictReader(file)}
+    system = wrcontact.ContactSystem(normal_model=model)
     compared = []
     for (shift, yaw), row in finest.items():
-        if shift in ("5.0", "6.0"):
-            continue
-        side = system.evaluate(lateral_shift=float(shift) * 1e-3, yaw=np.radians(float(yaw))).right
+        side = system.evaluate(lateral_shift=float(shift) * 1e-3, yaw=np.radians(float(yaw)),
+                               side="right").right
         compared.append([side.penetration * 1e3 / float(row["penetration_mm"]),
                          side.area * 1e6 / float(row["area_fit_mm2"]),
                          side.max_pressure * 1e-6 / float(row["max_pressure_MPa"])])
     error = np.abs(np.array(compared) - 1)
-    assert len(error) == 5
-    assert np.all(error.mean(axis=0) < (0.0042, 0.0090, 0.0121)), error     # measured 0.32, 0.69, 0.93 %
-    assert np.all(error.max(axis=0) < (0.0123, 0.0189, 0.0466)), error      # measured 0.82, 1.26, 3.11 %
+    assert len(error) == 8
+    assert np.all(error.mean(axis=0) < mean), error
+    assert np.all(error.max(axis=0) < worst), error
 
 
 @pytest.mark.slow
@@ -328,16 +337,18 @@ def test_unloaded_wheels_keep_their_geometry(system):
 
 def test_work_is_bounded(system):
     """Counts per pose, in trajectory order and at random: the budget that performance rests on. Some twenty
-    of the gaps look at the ends of the profiles and for minima between two nodes of the scan."""
+    of the gaps look at the ends of the profiles and for minima between two nodes of the scan, some forty for
+    what overlaps where the wheels are pressed."""
     stepper = system.stepper()
     for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)),
-                                 (73, 2.3, 135, 11)),
+                                 (87, 2.3, 57, 7.8)),
                                 ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000),
-                                 (73, 2.3, 135, 11))):
+                                 (87, 2.3, 57, 7.8))):
         stepper.state[:] = 0.0
         inputs = np.zeros((2000, layout.INPUT_COUNT))
         inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3
         stepper.step_many(inputs, np.zeros((2000, layout.OUTPUT_COUNT)), np.zeros(2000))
         counts = stepper.state[[layout.STATE_GAP_COUNT, layout.STATE_SCAN_COUNT, layout.STATE_NODE_COUNT,
                                 layout.STATE_SOLVE_COUNT]] / 2000
+        # measured 84.0, 2.2, 52.8, 7.3 and 84.9, 2.1, 55.1, 7.6
         assert np.all(counts <= budget), (name, counts)

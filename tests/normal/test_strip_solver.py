@@ -46,8 +46,8 @@ def test_influence_is_the_integral_over_the_line(t, e):
 
 @pytest.mark.parametrize("low, high, error", [(0.0, 1e-9, 1e-3), (0.0, 0.7, 0.01), (0.7, 0.97, 0.04)])
 def test_influence_table_holds_it(low, high, error):
-    """On the middle line, and up to the end of a strip, for strips from a hundredth of a half-length on: Phi is
-    1 ... 10 there. Farther away the table is as good everywhere."""
+    """On the middle line, and up to the end of a strip, for strips from a hundredth of a half-length on: Phi
+    is 1 ... 10 there. Farther away the table is as good everywhere."""
     array = influence_table()
     table = InfluenceTable.at(array)
     rng = np.random.default_rng(5)
@@ -67,7 +67,8 @@ def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
     assert float(influence(1e-3, 0.0)) == pytest.approx(2 * math.log(4e3) - 2, abs=5e-4)
     assert float(influence(1e3, 0.0)) == pytest.approx(math.pi / 2e3, rel=1e-6)
     half, width = 3.0, 0.01
-    assert 2 * math.log(8 * half / width) == pytest.approx(float(mean_influence(width / 2 / half, 0.0)), abs=5e-4)
+    mean = float(mean_influence(width / 2 / half, 0.0))
+    assert 2 * math.log(8 * half / width) == pytest.approx(mean, abs=5e-4)
 
 
 # --- the linear system ----------------------------------------------------------------------------
@@ -93,9 +94,9 @@ def test_elimination(size):
 # --- Hertz ----------------------------------------------------------------------------------------
 
 
-def solve_constant_curvatures(A, B, force, count=24, sweeps=3):
-    """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in penetration,
-    area and pressure (3,)."""
+def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
+    """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in
+    penetration, area and pressure (3,)."""
     tables, work, state, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
     contact = work.contact
     contact.frame.plane.cos, contact.frame.sunk = 1.0, True
@@ -103,7 +104,8 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=3):
     problem = contact.strip_problem
     problem.penetration = exact
     zone = problem.zones[0]
-    zone.start, zone.stop = (side * math.sqrt(0.9 * exact / B) for side in (-1, 1))
+    zone.level = 0.9 * exact
+    zone.start, zone.stop = (side * math.sqrt(zone.level / B) for side in (-1, 1))
 
     def trace(tables, contact, state, regions):
         for i in range(problem.count):
@@ -125,27 +127,36 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=3):
                      totals.max_pressure / pressure]) - 1
 
 
+@pytest.mark.parametrize("sweeps, allowed", [
+    # measured 0.55, 1.78, 0.09 % at most, and 0.27, 2.01, 0.49 %
+    (2, (0.0082, 0.0267, 0.0013)), (3, (0.0041, 0.025, 0.0073)),
+])
 @pytest.mark.parametrize("ratio", [0.05, 0.1, 0.3, 0.7, 1.0, 1.5, 5.0, 20.0, 60.0])
-def test_strips_on_constant_curvatures_are_nearly_hertz(ratio):
-    """Within 0.5 %, 2.5 % and 1 % whatever the load: 24 strips, three sweeps."""
-    error = solve_constant_curvatures(1.087, 1.087 * ratio, 78.5e3)
-    assert np.all(np.abs(error) < (0.005, 0.025, 0.01)), error
-    np.testing.assert_allclose(solve_constant_curvatures(1.087, 1.087 * ratio, 1e-3), error, atol=1e-9)
+def test_strips_on_constant_curvatures_are_nearly_hertz(ratio, sweeps, allowed):
+    """Whatever the load: 24 strips, the usual number of sweeps and one more."""
+    error = solve_constant_curvatures(1.087, 1.087 * ratio, 78.5e3, sweeps=sweeps)
+    assert np.all(np.abs(error) < allowed), error
+    light = solve_constant_curvatures(1.087, 1.087 * ratio, 1e-3, sweeps=sweeps)
+    np.testing.assert_allclose(light, error, atol=1e-9)
 
 
 @pytest.mark.parametrize("ratio", [0.05, 0.2, 1.0, 5.0, 20.0])
 def test_error_falls_with_the_strips(ratio):
-    """From 16 strips to 64 with as many sweeps as there are."""
+    """From 16 strips to 64 with as many sweeps as there are; half a per cent of the area stays where a patch
+    is long and thin, whose few strips come nearer by chance."""
     few, many = (np.abs(solve_constant_curvatures(1.0, ratio, 1e4, count=count, sweeps=4)).max()
                  for count in (16, 64))
-    assert many < max(few, 4e-3), (few, many)
-    assert many < 8e-3
+    # measured 0.38, 0.26, 0.45, 1.15, 0.30 % and 0.22, 0.15, 0.07, 0.54, 0.49 %
+    assert many < max(few, 6e-3), (few, many)
+    assert many < 7.5e-3
 
 
 def test_halves_of_strips_stay_above_half_their_width():
-    """A patch a twenty-fifth as long as wide is shorter than a strip is wide; with more strips the error goes."""
-    assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0)) < 0.25)
-    assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0, count=64)) < 0.1)
+    """A patch a twenty-fifth as long as wide is shorter than a strip is wide; with more strips the error
+    goes."""
+    # measured 11.5 and 2.6 % at most
+    assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0)) < 0.17)
+    assert np.all(np.abs(solve_constant_curvatures(1.0, 0.003, 1.0, count=64)) < 0.039)
 
 
 # --- Hertz, yawed ---------------------------------------------------------------------------------
@@ -190,20 +201,25 @@ def test_a_steep_slant_counts_as_the_steepest_permitted():
     np.testing.assert_allclose(skewed_coefficients(TABLE, 1.0, 0.02, 3.0), at_limit, rtol=1e-12)
 
 
+@pytest.mark.parametrize("force, analyn", [
+    # the patch is too small to turn: measured 6e-6, 8.1e-5, 1.1e-5 at most
+    (20.0, (1e-5, 1.5e-4, 1.7e-5)),
+    # it turns by 1.7 degrees to either side: measured 8.6e-5, 5.1e-4, 4.1e-4 at most
+    (2e4, (1.3e-4, 7.7e-4, 6.1e-4)),
+])
 @pytest.mark.parametrize("yaw", [0.0, 0.01, 0.035])
-def test_yawed_ball_end_to_end(yaw):
+def test_yawed_ball_end_to_end(yaw, force, analyn):
     """Constant radii on both bodies, flank contact of a yawed wheel: Hertz's tilted ellipse;
     against the half-space."""
     wheel = Profile("ball", "wheel", (Arc(-50.0, 50.0, 200.0, 20.0, -199.0, 1),))
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 90.0, 0.0, 90.0, -1),))
-    bodies = {model: wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3,
-                                             normal_model=model)
-              for model in ("analyn", "analyn_strip", "halfspace")}
-    state = {model: body.evaluate(2e-3, yaw, normal_force=2e4) for model, body in bodies.items()}
+    given = {"analyn": {}, "analyn_strip": {}, "halfspace": {"tolerance": 2e-3}}
+    state = {model: wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3,
+                                            normal_model=model, **more).evaluate(2e-3, yaw, force)
+             for model, more in given.items()}
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
-        # measured 0.01, 0.07, 0.013 % at most; the half-space's area is known to 0.1 %
-        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (2e-4, 1e-3, 2e-4)), side
-        # measured 0.08, 0.26, 0.04 % at most
+        assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < analyn), side
+        # measured 0.28, 0.85, 0.05 % at most
         assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth))
-                      < (1.2e-3, 3.9e-3, 6e-4)), side
+                      < (4.2e-3, 1.28e-2, 7e-4)), side

@@ -7,7 +7,6 @@ import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import files
-from math import radians
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -17,7 +16,6 @@ from rich.table import Table
 
 from ..conventions import MILLIMETRE, SIDES
 from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
-from ..kernel import layout
 from ..progress import working
 from .door import Refused, sentences
 from .report import console

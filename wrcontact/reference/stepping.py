@@ -18,6 +18,8 @@ from .pressed_wheel import Settings, press
 from .wheel_on_rail import wheel_on_rail
 
 SIDES = layout.OUT_LEFT, layout.OUT_RIGHT
+#: How far above its rail an unloaded wheel of an elastic wheelset is counted [m].
+CLEAR = 1e-9
 
 
 def halfspace_solver(tolerance=None):
@@ -156,7 +158,11 @@ class HalfspaceSolver:
             return found
 
         roll, stands = find_equilibrium(stand, roll, arm, settings.tolerance)
-        geometry, status = self._geometry_at(roll, 0.5 * (stands[0].height + stands[1].height))
+        height = 0.5 * (stands[0].height + stands[1].height)
+        for each in stands:
+            if each.wheel is None:      # heights are equal to a tolerance only: it must not overlap its rail
+                height = each.height - CLEAR
+        geometry, status = self._geometry_at(roll, height)
         return geometry, [lambda wheel=each.wheel: wheel for each in stands], status
 
     def _geometry_at(self, roll, height):
