@@ -24,10 +24,11 @@ def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, he
     samples.wheel[entry] = y
     # the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals
     # mean little, that of height - gap
-    rise = outline_slope - m
+    turn = 0.0
     if height > gap:
-        rise -= (height - gap) * m * bend * square
-    samples.rise[entry] = rise
+        turn = (height - gap) * m * bend * square
+    samples.turn[entry] = turn
+    samples.rise[entry] = outline_slope - m - turn
     return gap, m - outline_slope, abscissa
 
 

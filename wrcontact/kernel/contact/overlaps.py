@@ -8,7 +8,8 @@ between them are one region (deep_points.MERGE).
 from math import fabs
 from typing import Final
 
-from ..layout import OVERLAP_LIMIT, Frame, Overlap, Place, SideSearch, State, Tables
+from ..layout import OVERLAP_LIMIT, Frame, Overlap, Place, Samples, SideSearch, State, Tables
+from ..search.bounds import bend_bounds, only_rises_or_falls
 from ..search.raster import node_below
 from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope
@@ -19,6 +20,8 @@ from .touching import turning_point
 
 #: Between two samples the overlap is examined in this many parts.
 OVERLAP_PARTS: Final[int] = 4
+#: The same where it rises, or falls, at both.
+HIDDEN_PARTS: Final[int] = 8
 #: The deepest point beside the smallest gap is sought in steps that double from the first one on, up to the
 #: other [m].
 FIRST_STEP: Final[float] = 1e-7
@@ -44,12 +47,37 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
             y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
             low = bracket_end(tables, frame, place, samples.rail[entry], -step, y, height)
             high = bracket_end(tables, frame, place, samples.rail[entry + 1], step, y, height)
-            list_between(tables, frame, overlap, place, low, high, y, height)
+            list_between(tables, frame, overlap, place, low, high, y, height, OVERLAP_PARTS, 1)
+        elif samples.adjacent[entry + 1] == 1.0 and may_turn(tables, samples, place, entry) == 1:
+            rising = 0
+            if samples.rise[entry] > 0.0:
+                rising = 1
+            y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
+            list_between(tables, frame, overlap, place, samples.rail[entry], samples.rail[entry + 1], y,
+                         height, HIDDEN_PARTS, rising)
     list_beside_smallest_gap(tables, frame, overlap, side, height)
     if overlap.count > 0:
         find_saddles(tables, frame, overlap, place, height)
         merge_points(overlap)
     return overlap.count
+
+
+def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
+    """1 if the overlap may turn twice between the sample ``entry`` and the next one, where it rises, or falls,
+    at both; else 0."""
+    rise = samples.rise[entry]
+    following = samples.rise[entry + 1]
+    answer = 0
+    if min(fabs(rise), fabs(following)) < fabs(samples.turn[entry]) + fabs(samples.turn[entry + 1]):
+        # the bounds are those of the overlap straight down
+        answer = 1
+    else:
+        node = node_below(tables.scan, samples.wheel[entry])
+        least, most = bend_bounds(tables.scan, place, node, samples.rail[entry])
+        if least < 0.0:
+            width = samples.wheel[entry + 1] - samples.wheel[entry]
+            answer = 1 - only_rises_or_falls(least, most, width, -rise, -following)
+    return answer
 
 
 def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: float, y: float, height: float):
@@ -71,18 +99,17 @@ def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: floa
 
 
 def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float, high: float,
-                 y: float, height: float):
-    """List the deepest points between two rail abscissae from where the overlap rises towards each other: on
-    nearly conformal profiles the joints of their arcs leave several, of which a bracket by itself would end
-    at either."""
-    step = (high - low) / float(OVERLAP_PARTS)
+                 y: float, height: float, parts: int, rising: int):
+    """List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly conformal
+    profiles the joints of their arcs leave several, of which a bracket by itself would end at either.  It
+    falls at the end where it is examined in OVERLAP_PARTS."""
+    step = (high - low) / float(parts)
     start = low
-    rising = 1
     estimate = y
-    for i in range(1, OVERLAP_PARTS + 1):
+    for i in range(1, parts + 1):
         stop = low + step * float(i)
         falls = 1
-        if i < OVERLAP_PARTS:
+        if i < parts or parts == HIDDEN_PARTS:
             near, depth, rise, bend, curvature, found = normal_line(tables, frame, place, stop, estimate,
                                                                     height, LINE_SHARP)
             if found == 1:

@@ -21,7 +21,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double m;
     double bend;
     double square;
-    double rise;
+    double turn;
     point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
     y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
@@ -33,12 +33,13 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) = y;
     /* the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals */
     /* mean little, that of height - gap */
-    rise = outline_slope - m;
+    turn = 0.0;
     if (height > (*gap))
     {
-        rise -= (height - (*gap)) * m * bend * square;
+        turn = (height - (*gap)) * m * bend * square;
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = rise;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) = turn;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = outline_slope - m - turn;
     (*result_1) = m - outline_slope;
     return 0;
 }

@@ -23,6 +23,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     double y;
     double low;
     double high;
+    int64_t rising;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
@@ -37,7 +38,17 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
             y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
             low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
             high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
-            overlaps__list_between(work, tables, place, low, high, y, height);
+            overlaps__list_between(work, tables, place, low, high, y, height, overlaps__OVERLAP_PARTS, INT64_C(1));
+        }
+        else if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0) && (overlaps__may_turn(work, tables, place, entry) == INT64_C(1)))
+        {
+            rising = INT64_C(0);
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0)
+            {
+                rising = INT64_C(1);
+            }
+            y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+            overlaps__list_between(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, overlaps__HIDDEN_PARTS, rising);
         }
     }
     overlaps__list_beside_smallest_gap(work, tables, side, height);
@@ -48,6 +59,39 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
+}
+
+/* 1 if the overlap may turn twice between the sample ``entry`` and the next one, where it rises, or falls,
+ * at both; else 0.
+ */
+static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+{
+    double rise;
+    double following;
+    int64_t node;
+    double least;
+    double most;
+    double width;
+    int64_t answer;
+    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    answer = INT64_C(0);
+    if (double_min(2, fabs(rise), fabs(following)) < fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry))) + fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + (entry + INT64_C(1))))))
+    {
+        /* the bounds are those of the overlap straight down */
+        answer = INT64_C(1);
+    }
+    else
+    {
+        node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+        if (least < 0.0)
+        {
+            width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+            answer = INT64_C(1) - bounds__only_rises_or_falls(least, most, width, -rise, -following);
+        }
+    }
+    return answer;
 }
 
 /* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
@@ -87,15 +131,14 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     return x;
 }
 
-/* List the deepest points between two rail abscissae from where the overlap rises towards each other: on
- * nearly conformal profiles the joints of their arcs leave several, of which a bracket by itself would end
- * at either.
+/* List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly conformal
+ * profiles the joints of their arcs leave several, of which a bracket by itself would end at either.  It
+ * falls at the end where it is examined in OVERLAP_PARTS.
  */
-static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height)
+static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, int64_t parts, int64_t rising)
 {
     double step;
     double start;
-    int64_t rising;
     double estimate;
     int64_t i;
     double stop;
@@ -109,15 +152,14 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
     double rail;
     double wheel;
     int64_t turned;
-    step = (high - low) / (double)(overlaps__OVERLAP_PARTS);
+    step = (high - low) / (double)(parts);
     start = low;
-    rising = INT64_C(1);
     estimate = y;
-    for (i = INT64_C(1); i < overlaps__OVERLAP_PARTS + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < parts + INT64_C(1); i += INT64_C(1))
     {
         stop = low + step * (double)(i);
         falls = INT64_C(1);
-        if (i < overlaps__OVERLAP_PARTS)
+        if ((i < parts) || (parts == overlaps__HIDDEN_PARTS))
         {
             pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, height, pressed__LINE_SHARP);
             if (found == INT64_C(1))

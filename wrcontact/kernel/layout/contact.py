@@ -142,6 +142,7 @@ class Samples:
     rail: SampleRun                 # rail and wheel abscissa [m]
     wheel: SampleRun
     rise: SampleRun                 # slope of the overlap [-]
+    turn: SampleRun                 # what the rail's turning normal has taken from it [-]
     adjacent: SampleRun             # 1 if no scan node lies between it and the sample before it, else 0
 
 
