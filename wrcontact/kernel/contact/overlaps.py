@@ -20,7 +20,7 @@ from .touching import turning_point
 
 #: Between two samples the overlap is examined in this many parts.
 OVERLAP_PARTS: Final[int] = 4
-#: The same where it rises, or falls, at both.
+#: The same where the samples do not show whether it turns.
 HIDDEN_PARTS: Final[int] = 8
 #: The deepest point beside the smallest gap is sought in steps that double from the first one on, up to the
 #: other [m].
@@ -41,20 +41,21 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
     start = walk_overlap(tables, samples, place, state, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, samples, place, state, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
-        if (samples.rise[entry] > 0.0 and samples.rise[entry + 1] <= 0.0
-                and samples.adjacent[entry + 1] == 1.0):
+        if samples.adjacent[entry + 1] == 1.0:
             step = samples.rail[entry + 1] - samples.rail[entry]
             y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
-            low = bracket_end(tables, frame, place, samples.rail[entry], -step, y, height)
-            high = bracket_end(tables, frame, place, samples.rail[entry + 1], step, y, height)
-            list_between(tables, frame, overlap, place, low, high, y, height, OVERLAP_PARTS, 1)
-        elif samples.adjacent[entry + 1] == 1.0 and may_turn(tables, samples, place, entry) == 1:
-            rising = 0
-            if samples.rise[entry] > 0.0:
-                rising = 1
-            y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
-            list_between(tables, frame, overlap, place, samples.rail[entry], samples.rail[entry + 1], y,
-                         height, HIDDEN_PARTS, rising)
+            if may_turn(tables, samples, place, entry) == 1:
+                y, depth, rise, bend, curvature, found = normal_line(
+                    tables, frame, place, samples.rail[entry], y, height, LINE_SHARP)
+                rising = 0
+                if found == 1 and rise > 0.0:
+                    rising = 1
+                list_between(tables, frame, overlap, place, samples.rail[entry], samples.rail[entry + 1], y,
+                             height, HIDDEN_PARTS, rising)
+            elif samples.rise[entry] > 0.0 and samples.rise[entry + 1] <= 0.0:
+                low = bracket_end(tables, frame, place, samples.rail[entry], -step, y, height)
+                high = bracket_end(tables, frame, place, samples.rail[entry + 1], step, y, height)
+                list_between(tables, frame, overlap, place, low, high, y, height, OVERLAP_PARTS, 1)
     list_beside_smallest_gap(tables, frame, overlap, side, height)
     if overlap.count > 0:
         find_saddles(tables, frame, overlap, place, height)
@@ -63,15 +64,14 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
 
 
 def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
-    """1 if the overlap may turn twice between the sample ``entry`` and the next one, where it rises, or falls,
-    at both; else 0."""
+    """1 if between the sample ``entry`` and the next one the overlap may turn unseen by both, else 0."""
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
     answer = 0
     if min(fabs(rise), fabs(following)) < fabs(samples.turn[entry]) + fabs(samples.turn[entry + 1]):
         # the bounds are those of the overlap straight down
         answer = 1
-    else:
+    elif rise * following > 0.0:
         node = node_below(tables.scan, samples.wheel[entry])
         least, most = bend_bounds(tables.scan, place, node, samples.rail[entry])
         if least < 0.0:
@@ -100,9 +100,9 @@ def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: floa
 
 def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float, high: float,
                  y: float, height: float, parts: int, rising: int):
-    """List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly conformal
-    profiles the joints of their arcs leave several, of which a bracket by itself would end at either.  It
-    falls at the end where it is examined in OVERLAP_PARTS."""
+    """List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly
+    conformal profiles the joints of their arcs leave several, of which a bracket by itself would end at
+    either.  The overlap falls at the end where it is examined in OVERLAP_PARTS."""
     step = (high - low) / float(parts)
     start = low
     estimate = y

@@ -21,9 +21,14 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     int64_t entry;
     double step;
     double y;
+    double depth;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    int64_t rising;
     double low;
     double high;
-    int64_t rising;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
@@ -32,23 +37,26 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     stop = overlap_samples__walk_overlap(work, tables, place, state, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
             step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
             y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-            low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
-            high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
-            overlaps__list_between(work, tables, place, low, high, y, height, overlaps__OVERLAP_PARTS, INT64_C(1));
-        }
-        else if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0) && (overlaps__may_turn(work, tables, place, entry) == INT64_C(1)))
-        {
-            rising = INT64_C(0);
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0)
+            if (overlaps__may_turn(work, tables, place, entry) == INT64_C(1))
             {
-                rising = INT64_C(1);
+                pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), y, height, pressed__LINE_SHARP);
+                rising = INT64_C(0);
+                if ((found == INT64_C(1)) && (rise > 0.0))
+                {
+                    rising = INT64_C(1);
+                }
+                overlaps__list_between(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, overlaps__HIDDEN_PARTS, rising);
             }
-            y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-            overlaps__list_between(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, overlaps__HIDDEN_PARTS, rising);
+            else if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0))
+            {
+                low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
+                high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
+                overlaps__list_between(work, tables, place, low, high, y, height, overlaps__OVERLAP_PARTS, INT64_C(1));
+            }
         }
     }
     overlaps__list_beside_smallest_gap(work, tables, side, height);
@@ -61,9 +69,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     return result;
 }
 
-/* 1 if the overlap may turn twice between the sample ``entry`` and the next one, where it rises, or falls,
- * at both; else 0.
- */
+/* 1 if between the sample ``entry`` and the next one the overlap may turn unseen by both, else 0. */
 static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
 {
     double rise;
@@ -81,7 +87,7 @@ static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double
         /* the bounds are those of the overlap straight down */
         answer = INT64_C(1);
     }
-    else
+    else if (rise * following > 0.0)
     {
         node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
         bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
@@ -131,9 +137,9 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     return x;
 }
 
-/* List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly conformal
- * profiles the joints of their arcs leave several, of which a bracket by itself would end at either.  It
- * falls at the end where it is examined in OVERLAP_PARTS.
+/* List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly
+ * conformal profiles the joints of their arcs leave several, of which a bracket by itself would end at
+ * either.  The overlap falls at the end where it is examined in OVERLAP_PARTS.
  */
 static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, int64_t parts, int64_t rising)
 {
