@@ -53,6 +53,13 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
                 list_between(tables, frame, overlap, place, samples.rail[entry], samples.rail[entry + 1], y,
                              height, HIDDEN_PARTS, rising)
             elif samples.rise[entry] > 0.0 and samples.rise[entry + 1] <= 0.0:
+                if turns_once(tables, samples, place, entry) == 1:
+                    rail, wheel, depth, turned = turning_point(
+                        tables, frame, place, samples.rail[entry], samples.rail[entry + 1], y, height, 1.0)
+                    if turned == 1:
+                        if depth > 0.0 and is_listed(overlap, rail) == 0:
+                            append_point(overlap, rail, wheel, depth)
+                        continue
                 low = bracket_end(tables, frame, place, samples.rail[entry], -step, y, height)
                 high = bracket_end(tables, frame, place, samples.rail[entry + 1], step, y, height)
                 list_between(tables, frame, overlap, place, low, high, y, height, OVERLAP_PARTS, 1)
@@ -77,6 +84,17 @@ def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
         if least < 0.0:
             width = samples.wheel[entry + 1] - samples.wheel[entry]
             answer = 1 - only_rises_or_falls(least, most, width, -rise, -following)
+    return answer
+
+
+def turns_once(tables: Tables, samples: Samples, place: Place, entry: int):
+    """1 if the overlap straight down has one largest value at most between the sample ``entry`` and the next
+    one, else 0."""
+    node = node_below(tables.scan, samples.wheel[entry])
+    least, most = bend_bounds(tables.scan, place, node, samples.rail[entry])
+    answer = 0
+    if least > 0.0:
+        answer = 1
     return answer
 
 

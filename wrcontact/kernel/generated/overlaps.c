@@ -27,6 +27,9 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     double curvature;
     int64_t found;
     int64_t rising;
+    double rail;
+    double wheel;
+    int64_t turned;
     double low;
     double high;
     int64_t result;
@@ -53,6 +56,18 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
             }
             else if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0))
             {
+                if (overlaps__turns_once(work, tables, place, entry) == INT64_C(1))
+                {
+                    touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, 1.0);
+                    if (turned == INT64_C(1))
+                    {
+                        if ((depth > 0.0) && (deep_points__is_listed(work, rail) == INT64_C(0)))
+                        {
+                            deep_points__append_point(work, rail, wheel, depth);
+                        }
+                        continue;
+                    }
+                }
                 low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
                 high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
                 overlaps__list_between(work, tables, place, low, high, y, height, overlaps__OVERLAP_PARTS, INT64_C(1));
@@ -96,6 +111,25 @@ static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double
             width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
             answer = INT64_C(1) - bounds__only_rises_or_falls(least, most, width, -rise, -following);
         }
+    }
+    return answer;
+}
+
+/* 1 if the overlap straight down has one largest value at most between the sample ``entry`` and the next
+ * one, else 0.
+ */
+static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+{
+    int64_t node;
+    double least;
+    double most;
+    int64_t answer;
+    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+    answer = INT64_C(0);
+    if (least > 0.0)
+    {
+        answer = INT64_C(1);
     }
     return answer;
 }

@@ -29,6 +29,7 @@ static const int64_t overlaps__WIDENINGS = INT64_C(6);
 
 static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, int64_t parts, int64_t rising);
+static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y, double height);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side, double height);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place, double height);
