@@ -9,17 +9,15 @@ The unit is measured between them, and how much it varied during the run tells h
 
 import os
 import platform
-import time
 import timeit
 from typing import NamedTuple
 
 import numpy as np
 
 from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.study.compare import clock
 
 UNIT = "`np.sqrt` of 2000 doubles"
-#: Windows counts the processor's time in steps of 16 ms.
-clock = time.perf_counter if os.name == "nt" else time.thread_time
 _VALUES = np.linspace(1.0, 2.0, 2000)
 _units = []  # every measurement of the unit in this process [s]
 
