@@ -54,7 +54,7 @@ def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch,
     return count
 
 
-def sink_deeper(frame: Frame, frames: KeptFrames, count: int, penetration: float):
+def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, penetration: float):
     """Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
 
     The regions stay: their deepest points move by less than what counts.
@@ -63,8 +63,9 @@ def sink_deeper(frame: Frame, frames: KeptFrames, count: int, penetration: float
     press_frame(frame, height, penetration, 0.0)
     keep_frame(frame, frames, REGION_LIMIT)
     for index in range(count):
+        region = regions[index]
         use_frame(frame, frames, index)
-        frame.height = height
+        press_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
         keep_frame(frame, frames, index)
     use_frame(frame, frames, REGION_LIMIT)
     return 0

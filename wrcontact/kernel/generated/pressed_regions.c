@@ -57,13 +57,15 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
 {
     double height;
     int64_t index;
+    int64_t region;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     pressed_regions__press_frame(work, height, penetration, 0.0);
     planes__keep_frame(work, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         planes__use_frame(work, index);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+        pressed_regions__press_frame(work, height, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)));
         planes__keep_frame(work, index);
     }
     planes__use_frame(work, layout__REGION_LIMIT);

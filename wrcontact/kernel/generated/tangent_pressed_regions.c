@@ -72,6 +72,7 @@ static inline int64_t tangent_pressed_regions__sink_deeper_t(array_double_1d wor
     double height_t;
     double height;
     int64_t index;
+    int64_t region;
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
@@ -79,9 +80,9 @@ static inline int64_t tangent_pressed_regions__sink_deeper_t(array_double_1d wor
     tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         tangent_planes__use_frame_t(work, work_t, index);
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height_t;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+        tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
         tangent_planes__keep_frame_t(work, work_t, index);
     }
     tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);

@@ -51,7 +51,7 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
             if satisfied == 0 or penetration < DEEPER * estimate:
                 break
         if satisfied == 1 and by_penetration == 0:
-            sink_deeper(contact.frame, contact.frames, count, penetration)
+            sink_deeper(contact.frame, contact.frames, contact.regions, count, penetration)
             problem.penetration = penetration
     if satisfied == 1:
         penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)
