@@ -19,69 +19,162 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     int64_t start;
     int64_t stop;
     int64_t entry;
-    double step;
-    double y;
-    double depth;
-    double rise;
-    double bend;
-    double curvature;
-    int64_t found;
-    int64_t rising;
-    double rail;
-    double wheel;
-    int64_t turned;
-    double low;
-    double high;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
     start = overlap_samples__walk_overlap(work, tables, place, state, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlap_samples__walk_overlap(work, tables, place, state, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-            y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-            if (overlaps__may_turn(work, tables, place, entry) == INT64_C(1))
-            {
-                pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), y, height, pressed__LINE_SHARP);
-                rising = INT64_C(0);
-                if ((found == INT64_C(1)) && (rise > 0.0))
-                {
-                    rising = INT64_C(1);
-                }
-                overlaps__list_between(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, overlaps__HIDDEN_PARTS, rising);
-            }
-            else if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0))
-            {
-                if (overlaps__turns_once(work, tables, place, entry) == INT64_C(1))
-                {
-                    touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), y, height, 1.0);
-                    if (turned == INT64_C(1))
-                    {
-                        if ((depth > 0.0) && (deep_points__is_listed(work, rail) == INT64_C(0)))
-                        {
-                            deep_points__append_point(work, rail, wheel, depth);
-                        }
-                        continue;
-                    }
-                }
-                low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
-                high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
-                overlaps__list_between(work, tables, place, low, high, y, height, overlaps__OVERLAP_PARTS, INT64_C(1));
-            }
+            overlaps__list_in_cell(work, tables, place, entry);
         }
     }
-    overlaps__list_beside_smallest_gap(work, tables, side, height);
+    overlaps__list_beside_smallest_gap(work, tables, side);
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
-        overlaps__find_saddles(work, tables, place, height);
+        overlaps__find_saddles(work, tables, place);
         deep_points__merge_points(work);
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
+}
+
+/* List the deepest points between the sample ``entry`` and the next one. */
+static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+{
+    double first;
+    double last;
+    int64_t hidden;
+    double low;
+    double high;
+    double y;
+    double least;
+    double most;
+    double width;
+    int64_t listed;
+    int64_t parts;
+    double step;
+    first = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    last = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    hidden = overlaps__may_turn(work, tables, place, entry);
+    if ((hidden == INT64_C(0)) && (!((first > 0.0) && (last <= 0.0))))
+    {
+        return INT64_C(0);
+    }
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1))));
+    y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry))), low);
+    if (hidden == INT64_C(1))
+    {
+        /* the samples are straight down: what counts is the rise along the normal */
+        first = overlaps__normal_rise(work, tables, place, low, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        last = overlaps__normal_rise(work, tables, place, high, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+        overlaps__wider_bounds(&least, &most, work, tables, place, entry, least, most);
+        width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+        if (bounds__only_rises_or_falls(least, most, width, -first, -last) == INT64_C(1))
+        {
+            return INT64_C(0);
+        }
+    }
+    listed = INT64_C(0);
+    if (least > 0.0)
+    {
+        /* it has one largest value at most */
+        if ((first <= 0.0) || (last > 0.0))
+        {
+            return INT64_C(0);
+        }
+        listed = overlaps__list_turning_point(work, tables, place, low, high, y);
+    }
+    if (listed == INT64_C(0))
+    {
+        parts = overlaps__HIDDEN_PARTS;
+        if ((hidden == INT64_C(0)) || ((first > 0.0) && (last <= 0.0)))
+        {
+            parts = overlaps__OVERLAP_PARTS;
+        }
+        if (hidden == INT64_C(0))
+        {
+            step = high - low;
+            low = overlaps__bracket_end(work, tables, place, low, -step, y);
+            high = overlaps__bracket_end(work, tables, place, high, step, y);
+        }
+        overlaps__list_between(work, tables, place, low, high, y, parts);
+    }
+    return INT64_C(0);
+}
+
+/* Rise of the overlap along the normal at rail abscissa ``x`` [m], sought from the wheel's ``y`` [m]; 0
+ * where there is none.
+ */
+static OUT_OF_LINE double overlaps__normal_rise(array_double_1d work, array_double_1d tables, int64_t place, double x, double y)
+{
+    double depth;
+    double bend;
+    double curvature;
+    int64_t found;
+    double rise;
+    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    if (found == INT64_C(0))
+    {
+        rise = 0.0;
+    }
+    return rise;
+}
+
+/* The bounds [1/m] of the bend of the gap straight down between the sample ``entry`` and the next one,
+ * widened to those of the bend along the normals.
+ *
+ * A normal meets the wheel aside of the sample, in the next cell at most, and by a share of NORMAL_SHARE
+ * sooner or later.
+ */
+static OUT_OF_LINE int64_t overlaps__wider_bounds(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t entry, double least, double most)
+{
+    int64_t scan;
+    int64_t node;
+    double low;
+    double high;
+    double share;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    node = raster__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    if (node > INT64_C(0))
+    {
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+        least = double_min(2, least, low);
+        most = double_max(2, most, high);
+    }
+    if (node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
+    {
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+        least = double_min(2, least, low);
+        most = double_max(2, most, high);
+    }
+    share = overlaps__NORMAL_SHARE * (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+    (*result_0) = least - share;
+    (*result_1) = most + share;
+    return 0;
+}
+
+/* List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
+ * an overlap and it is not listed yet; 1 if there is a turning point, else 0.
+ */
+static OUT_OF_LINE int64_t overlaps__list_turning_point(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y)
+{
+    double rail;
+    double wheel;
+    double depth;
+    int64_t turned;
+    touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    if ((turned == INT64_C(1)) && (depth > 0.0) && (deep_points__is_listed(work, rail) == INT64_C(0)))
+    {
+        deep_points__append_point(work, rail, wheel, depth);
+    }
+    return turned;
 }
 
 /* 1 if between the sample ``entry`` and the next one the overlap may turn unseen by both, else 0. */
@@ -115,30 +208,11 @@ static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double
     return answer;
 }
 
-/* 1 if the overlap straight down has one largest value at most between the sample ``entry`` and the next
- * one, else 0.
- */
-static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
-{
-    int64_t node;
-    double least;
-    double most;
-    int64_t answer;
-    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
-    answer = INT64_C(0);
-    if (least > 0.0)
-    {
-        answer = INT64_C(1);
-    }
-    return answer;
-}
-
 /* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
  * side: the samples are straight down, and their slope may change its sign a little before the overlap along
  * the normal has its maximum.
  */
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y, double height)
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y)
 {
     int64_t rail;
     int64_t i;
@@ -161,7 +235,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
             result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
             return result;
         }
-        pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
+        pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
         if ((found == INT64_C(0)) || (rise * step < 0.0))
         {
             break;
@@ -173,13 +247,14 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
 
 /* List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly
  * conformal profiles the joints of their arcs leave several, of which a bracket by itself would end at
- * either.  The overlap falls at the end where it is examined in OVERLAP_PARTS.
+ * either.  Where it is examined in OVERLAP_PARTS, the overlap rises at one end and falls at the other.
  */
-static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, int64_t parts, int64_t rising)
+static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, int64_t parts)
 {
     double step;
     double start;
     double estimate;
+    int64_t rising;
     int64_t i;
     double stop;
     int64_t falls;
@@ -189,19 +264,21 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
     double bend;
     double curvature;
     int64_t found;
-    double rail;
-    double wheel;
-    int64_t turned;
     step = (high - low) / (double)(parts);
     start = low;
     estimate = y;
+    rising = INT64_C(1);
+    if ((parts == overlaps__HIDDEN_PARTS) && (overlaps__normal_rise(work, tables, place, low, y) <= 0.0))
+    {
+        rising = INT64_C(0);
+    }
     for (i = INT64_C(1); i < parts + INT64_C(1); i += INT64_C(1))
     {
         stop = low + step * (double)(i);
         falls = INT64_C(1);
         if ((i < parts) || (parts == overlaps__HIDDEN_PARTS))
         {
-            pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, height, pressed__LINE_SHARP);
+            pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
             if (found == INT64_C(1))
             {
                 estimate = near;
@@ -213,11 +290,7 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
         }
         if ((rising == INT64_C(1)) && (falls == INT64_C(1)))
         {
-            touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, start, stop, estimate, height, 1.0);
-            if ((turned == INT64_C(1)) && (depth > 0.0) && (deep_points__is_listed(work, rail) == INT64_C(0)))
-            {
-                deep_points__append_point(work, rail, wheel, depth);
-            }
+            overlaps__list_turning_point(work, tables, place, start, stop, estimate);
         }
         rising = INT64_C(1) - falls;
         start = stop;
@@ -229,7 +302,7 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
  * between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
  * times.
  */
-static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side, double height)
+static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side)
 {
     int64_t place;
     double z;
@@ -256,7 +329,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
     x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height, pressed__LINE_SHARP);
+    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
     deepest = 0.0;
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
@@ -273,7 +346,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
         while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && (found == INT64_C(1)))
         {
             far += step;
-            pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, far, y, height, pressed__LINE_SHARP);
+            pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, far, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
             step *= 2.0;
         }
         low = x;
@@ -283,7 +356,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
             low = far;
             high = x;
         }
-        touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height, 1.0);
+        touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
         if ((turned == INT64_C(1)) && (depth > deepest))
         {
             deep_points__append_point(work, rail, wheel, depth);
@@ -294,7 +367,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
 }
 
 /* The smallest overlap between neighbouring deepest points. */
-static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place, double height)
+static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place)
 {
     int64_t entry_end;
     int64_t entry;
@@ -309,7 +382,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_do
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), height, -1.0);
+        touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
         (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
     }

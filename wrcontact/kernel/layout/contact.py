@@ -151,5 +151,6 @@ class Overlap:
     """Where a pressed wheel overlaps its rail."""
 
     count: int                      # of the deepest points, in the order of the rail
+    height: float                   # vertical shift of the wheel [m]
     points: DeepPoint * DEEP_LIMIT
     samples: Samples
