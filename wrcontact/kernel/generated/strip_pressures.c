@@ -9,19 +9,20 @@
 
 #include "strip_pressures.h"
 
-/* y of all strips, and which are loaded, under ``force`` [N], or at the ``prescribed`` penetration [m]
- * where ``by_penetration``; the penetration [m], and 1 if found, else 0.
+/* y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
+ * ``by_penetration``; the penetration [m], and 1 if found, else 0.
  */
-static inline int64_t strip_pressures__solve_pressures(double* result_0, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, double prescribed, int64_t by_penetration)
+static inline int64_t strip_pressures__solve_pressures(double* result_0, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, int64_t by_penetration, int64_t yawed)
 {
     double penetration;
     int64_t exchange;
     int64_t size;
     int64_t single;
-    penetration = prescribed;
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_STRIP_COUNT)) += 1.0;
+        strip_influence__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         size = strip_pressures__list_loaded(work);
         strip_pressures__write_equations(work, size);
         elimination__eliminate(work, size);
@@ -172,7 +173,10 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
                 row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {
-                    pushed -= (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) != 0.0)
+                    {
+                        pushed -= (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    }
                 }
                 if (pushed > 0.0)
                 {

@@ -13,6 +13,7 @@
 #include "../native/spans.h"
 #include "elimination.h"
 #include "layout.h"
+#include "strip_influence.h"
 
 static const int64_t strip_pressures__EXCHANGES = INT64_C(10);
 static const int64_t strip_pressures__EXCHANGE_LIMIT = INT64_C(200);
@@ -23,6 +24,6 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, int
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
 static inline int64_t strip_pressures__read_solution(array_double_1d work, int64_t size, double penetration);
 static inline int64_t strip_pressures__exchange_strips(array_double_1d work, double penetration, int64_t single);
-static inline int64_t strip_pressures__solve_pressures(double* result_0, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, double prescribed, int64_t by_penetration);
+static inline int64_t strip_pressures__solve_pressures(double* result_0, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, int64_t by_penetration, int64_t yawed);
 
 #endif

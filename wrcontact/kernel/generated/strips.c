@@ -107,8 +107,8 @@ static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, 
     int64_t yawed;
     yawed = contact_plane__is_yawed(work);
     strip_surfaces__set_gaps(work);
-    strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-    strip_pressures__solve_pressures(penetration, found, work, tables, state, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+    strip_influence__begin_influences(work);
+    strip_pressures__solve_pressures(penetration, found, work, tables, state, force, by_penetration, yawed);
     if ((*found) == INT64_C(1))
     {
         strip_lengths__correct_lengths(work, tables, (*penetration), power, yawed);

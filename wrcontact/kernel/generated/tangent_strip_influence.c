@@ -5,118 +5,6 @@
 
 #include "tangent_strip_influence.h"
 
-/* Tangent of ``cubic_through_slopes``. */
-static inline int64_t tangent_strip_influence__cubic_through_slopes_t(double* result_0, double* result_1, double low, double low_t, double low_slope, double low_slope_t, double high, double high_t, double high_slope, double high_slope_t, double x, double x_t)
-{
-    double rise_t;
-    double rise;
-    double rest_t;
-    double rest;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    rise_t = high_t - low_t;
-    rise = high - low;
-    rest_t = -x_t;
-    rest = 1.0 - x;
-    v1 = low_slope - rise;
-    v2 = high_slope - rise;
-    v3 = rest * v1 - x * v2;
-    v4 = rise + rest * v3;
-    (*result_0) = low + x * v4;
-    (*result_1) = low_t + (x_t * v4 + x * (rise_t + (rest_t * v3 + rest * (rest_t * v1 + rest * (low_slope_t - rise_t) - (x_t * v2 + x * (high_slope_t - rise_t))))));
-    return 0;
-}
-
-/* Tangent of ``middle_influence``. */
-static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, double* v2_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
-{
-    double v1;
-    double place_t;
-    double place;
-    int64_t cell;
-    int64_t at;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
-    at = first + INT64_C(2) * cell;
-    tangent_strip_influence__cubic_through_slopes_t(v2, v2_t, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), 0.0, place - (double)(cell), place_t);
-    return 0;
-}
-
-/* Tangent of ``influence_at``. */
-static inline int64_t tangent_strip_influence__influence_at_t(double* v9, double* v9_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double square, double square_t)
-{
-    double v1;
-    double place_t;
-    double place;
-    int64_t cell;
-    double v2;
-    double v3;
-    double v4;
-    double along_t;
-    double along;
-    int64_t column;
-    double share_t;
-    double share;
-    int64_t at;
-    int64_t to;
-    double v5;
-    double low_t;
-    double low;
-    double v6;
-    double low_slope_t;
-    double low_slope;
-    double v7;
-    double high_t;
-    double high;
-    double v8;
-    double high_slope_t;
-    double high_slope;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
-    v2 = 1.0 + square;
-    v3 = square / v2;
-    v4 = (double)(layout__INFLUENCE_COLUMNS);
-    along_t = (square_t - v3 * square_t) / v2 * v4;
-    along = v3 * v4;
-    column = (int64_t)(along);
-    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
-    {
-        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
-    }
-    share_t = along_t;
-    share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
-    to = at + layout__INFLUENCE_COLUMN;
-    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
-    low_t = share_t * v5;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v5;
-    v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
-    low_slope_t = share_t * v6;
-    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v6;
-    v7 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    high_t = share_t * v7;
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v7;
-    v8 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
-    high_slope_t = share_t * v8;
-    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v8;
-    tangent_strip_influence__cubic_through_slopes_t(v9, v9_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
-    return 0;
-}
-
 /* Tangent of ``nearness``. */
 static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
 {
@@ -129,8 +17,92 @@ static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* re
     return 0;
 }
 
+/* Tangent of ``apartness``. */
+static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t)
+{
+    double square_t;
+    double square;
+    double v1;
+    square_t = x_t * x + x * x_t;
+    square = x * x;
+    v1 = square + half_length * half_length;
+    (*v2) = square / v1;
+    (*result_1) = (square_t - (*v2) * (square_t + (half_length_t * half_length + half_length * half_length_t))) / v1;
+    return 0;
+}
+
+/* Tangent of ``influence_at``. */
+static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    double share_t;
+    double share;
+    double v2;
+    double along_t;
+    double along;
+    int64_t column;
+    int64_t at;
+    int64_t to;
+    double v3;
+    double low_t;
+    double low;
+    double v4;
+    double high_t;
+    double high;
+    double v5;
+    double v6;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = (int64_t)(place);
+    share_t = place_t;
+    share = place - (double)(cell);
+    v2 = (double)(layout__INFLUENCE_COLUMNS);
+    along_t = v_t * v2;
+    along = v * v2;
+    column = (int64_t)(along);
+    at = first + layout__INFLUENCE_COLUMN * column + cell;
+    to = at + layout__INFLUENCE_COLUMN;
+    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
+    low_t = share_t * v3;
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v3;
+    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to));
+    high_t = share_t * v4;
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + share * v4;
+    v5 = along - (double)(column);
+    v6 = high - low;
+    (*result_0) = low + v5 * v6;
+    (*result_1) = low_t + (along_t * v6 + v5 * (high_t - low_t));
+    return 0;
+}
+
+/* Tangent of ``middle_influence``. */
+static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    int64_t at;
+    double v2;
+    double v3;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = (int64_t)(place);
+    at = first + cell;
+    v2 = place - (double)(cell);
+    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
+    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + v2 * v3;
+    (*result_1) = place_t * v3;
+    return 0;
+}
+
 /* Tangent of ``mean_at``. */
-static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double square, double square_t)
+static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
 {
     double half_t;
     double half;
@@ -163,11 +135,11 @@ static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* res
     far_t = distance_t + half_t;
     far = distance + half;
     tangent_strip_influence__nearness_t(&v2, &v2_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, square, square_t);
+    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, v, v_t);
     inner_t = v1_t;
     inner = v1;
     tangent_strip_influence__nearness_t(&v4, &v4_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, square, square_t);
+    tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, v, v_t);
     outer_t = v3_t;
     outer = v3;
     v5 = far * outer - near * inner;
@@ -176,144 +148,128 @@ static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* res
     return 0;
 }
 
-/* Tangent of ``fill_row``. */
-static inline int64_t tangent_strip_influence__fill_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
+/* Tangent of ``begin_influences``. */
+static inline int64_t tangent_strip_influence__begin_influences_t(array_double_1d work, array_double_1d work_t)
 {
+    int64_t j_end;
+    int64_t j;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``know_influences``. */
+static inline int64_t tangent_strip_influence__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t yawed)
+{
+    int64_t j_end;
+    int64_t j;
     int64_t strip;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
+        {
+            tangent_strip_influence__fill_column_t(tables, work, work_t, table, j, yawed);
+            (*cspan_at(&work_t, strip + layout__STRIP_KNOWN)) = 0.0;
+            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_column``. */
+static inline int64_t tangent_strip_influence__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, int64_t yawed)
+{
+    int64_t other;
     double x_t;
     double x;
-    int64_t j;
-    int64_t other;
-    double v2;
-    double v1;
-    double v1_t;
-    double u_t;
-    double u;
-    double v3;
-    double v4;
-    double apart_t;
-    double apart;
-    double v5;
-    double v5_t;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-        u_t = v1_t;
-        u = v1;
-        (*cspan_at(&work_t, near + j)) = u_t;
-        (*cspan_at(&work, near + j)) = u;
-        v3 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
-        v4 = v3 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-        apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v4 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-        apart = v4;
-        tangent_strip_influence__influence_at_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t, apart * apart, apart_t * apart + apart * apart_t);
-        (*cspan_at(&work_t, row + j)) = v5_t;
-        (*cspan_at(&work, row + j)) = v5;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``fill_straight_row``. */
-static inline int64_t tangent_strip_influence__fill_straight_row_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t first, int64_t last, int64_t near, int64_t row)
-{
-    int64_t strip;
-    int64_t j;
-    int64_t other;
-    double v2;
-    double v1;
-    double v1_t;
-    double u_t;
-    double u;
-    double v3;
-    double v3_t;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-        u_t = v1_t;
-        u = v1;
-        (*cspan_at(&work_t, near + j)) = u_t;
-        (*cspan_at(&work, near + j)) = u;
-        tangent_strip_influence__middle_influence_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t);
-        (*cspan_at(&work_t, row + j)) = v3_t;
-        (*cspan_at(&work, row + j)) = v3;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``fill_influences``. */
-static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t yawed)
-{
-    int64_t count;
+    double half_t;
+    double half;
+    int64_t i_end;
     int64_t i;
     int64_t strip;
-    int64_t row;
-    int64_t near;
-    int64_t j;
-    int64_t other;
-    double v1;
     double v2;
-    double apart_t;
-    double apart;
+    double v1;
+    double v1_t;
+    double u_t;
+    double u;
     double v4;
+    double v4_t;
     double v3;
     double v3_t;
+    double influence_t;
+    double influence;
     double v5;
     double v5_t;
     double v6;
-    double v6_t;
+    double v8;
+    double v9;
+    double v9_t;
     double v7;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double v7_t;
+    double v10;
+    double v11;
+    double v11_t;
+    double v12;
+    double v12_t;
+    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+    x_t = (*cspan_at(&work_t, other + layout__STRIP_X)) + (*cspan_at(&work_t, other + layout__STRIP_LEAD));
+    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
+    half_t = (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH));
+    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
+        u_t = v1_t;
+        u = v1;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
         if (yawed == INT64_C(1))
         {
-            tangent_strip_influence__fill_row_t(tables, work, work_t, table, i, INT64_C(0), i, near, row);
-            tangent_strip_influence__fill_row_t(tables, work, work_t, table, i, i + INT64_C(1), count, near, row);
+            tangent_strip_influence__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+            tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
+            influence_t = v3_t;
+            influence = v3;
         }
         else
         {
-            tangent_strip_influence__fill_straight_row_t(tables, work, work_t, table, i, INT64_C(0), i, near, row);
-            tangent_strip_influence__fill_straight_row_t(tables, work, work_t, table, i, i + INT64_C(1), count, near, row);
+            tangent_strip_influence__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
+            influence_t = v5_t;
+            influence = v5;
         }
-        for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+        v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
+    }
+    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
+    {
+        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
         {
-            if ((j >= INT64_C(0)) && (j < count))
-            {
-                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-                v1 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
-                v2 = v1 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-                apart_t = ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v2 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-                apart = v2;
-                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                tangent_strip_influence__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), tangent_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), apart * apart, apart_t * apart + apart * apart_t);
-                (*cspan_at(&work_t, row + j)) = v3_t;
-                (*cspan_at(&work, row + j)) = v3;
-            }
-        }
-        tangent_strip_influence__nearness_t(&v5, &v5_t, 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH)), (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-        (*cspan_at(&work_t, near + i)) = v5_t;
-        (*cspan_at(&work, near + i)) = v5;
-        tangent_strip_influence__middle_influence_t(&v6, &v6_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, near + i)), (*cspan_at(&work_t, near + i)));
-        (*cspan_at(&work_t, row + i)) = v6_t;
-        (*cspan_at(&work, row + i)) = v6;
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
-        {
-            v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN));
-            (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) * v7 + (*cspan_at(&work, row + j)) * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SIN))));
-            (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) * v7;
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            v8 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+            tangent_strip_influence__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+            tangent_strip_influence__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), tangent_rates__size_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v9, v9_t);
+            influence_t = v7_t;
+            influence = v7;
+            v10 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v10 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v10;
         }
     }
+    tangent_strip_influence__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, other + layout__STRIP_BREADTH)), half, half_t);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11;
+    tangent_strip_influence__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12;
     return INT64_C(0);
 }
 
@@ -327,42 +283,14 @@ static inline int64_t tangent_strip_influence__far_displacement_t(double* total,
     double sine;
     int64_t j;
     int64_t other;
-    double apart_t;
-    double apart;
-    double square_t;
-    double square;
     double v1;
+    double v1_t;
+    double v_t;
+    double v;
     double v2;
+    double v2_t;
     double v3;
-    double along_t;
-    double along;
-    int64_t column;
-    double share_t;
-    double share;
     double v4;
-    double place_t;
-    double place;
-    int64_t cell;
-    int64_t at;
-    int64_t to;
-    double v5;
-    double low_t;
-    double low;
-    double v6;
-    double low_slope_t;
-    double low_slope;
-    double v7;
-    double high_t;
-    double high;
-    double v8;
-    double high_slope_t;
-    double high_slope;
-    double v9;
-    double v9_t;
-    double influence_t;
-    double influence;
-    double v10;
-    double v11;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
     cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
     cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
@@ -375,43 +303,14 @@ static inline int64_t tangent_strip_influence__far_displacement_t(double* total,
         other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
         if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            apart_t = x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD));
-            apart = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
-            square_t = apart_t * apart + apart * apart_t;
-            square = apart * apart;
-            v1 = square + (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-            v2 = square / v1;
-            v3 = (double)(layout__INFLUENCE_COLUMNS);
-            along_t = (square_t - v2 * (square_t + ((*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))))) / v1 * v3;
-            along = v2 * v3;
-            column = (int64_t)(along);
-            share_t = along_t;
-            share = along - (double)(column);
-            v4 = (double)(layout__INFLUENCE_CELLS);
-            place_t = (*cspan_at(&work_t, near + j)) * v4;
-            place = (*cspan_at(&work, near + j)) * v4;
-            cell = (int64_t)(place);
-            at = layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
-            to = at + layout__INFLUENCE_COLUMN;
-            v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
-            low_t = share_t * v5;
-            low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v5;
-            v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
-            low_slope_t = share_t * v6;
-            low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v6;
-            v7 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-            high_t = share_t * v7;
-            high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v7;
-            v8 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
-            high_slope_t = share_t * v8;
-            high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v8;
-            tangent_strip_influence__cubic_through_slopes_t(&v9, &v9_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
-            influence_t = v9_t;
-            influence = v9;
-            v10 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
-            v11 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v11 + v10 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-            (*total) = (*total) + v10 * v11;
+            tangent_strip_influence__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            v_t = v1_t;
+            v = v1;
+            tangent_strip_influence__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
+            v3 = v2 * (*cspan_at(&work, other + layout__STRIP_Y));
+            v4 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*total_t) = (*total_t) + ((v2_t * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v4 + v3 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+            (*total) = (*total) + v3 * v4;
         }
     }
     return 0;
@@ -424,38 +323,35 @@ static inline int64_t tangent_strip_influence__end_displacement_t(double* total,
     int64_t strip;
     double x_t;
     double x;
-    double v1;
-    double apart_t;
-    double apart;
     double v2;
     double v2_t;
+    double v1;
+    double v1_t;
     int64_t first;
     int64_t last;
     int64_t j;
     int64_t other;
-    double v3;
     double v4;
-    double v6;
     double v5;
     double v5_t;
+    double v3;
+    double v3_t;
     double influence_t;
     double influence;
+    double v6;
     double v7;
     double v8;
+    double v8_t;
     double v9;
     double v9_t;
-    double v10;
-    double v10_t;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
     x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    v1 = away / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    apart_t = (away_t - v1 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    apart = v1;
-    tangent_strip_influence__influence_at_t(&v2, &v2_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), apart * apart, apart_t * apart + apart * apart_t);
-    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v2 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v2_t;
-    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v2;
+    tangent_strip_influence__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
+    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v1_t;
+    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v1;
     first = i;
     last = i + INT64_C(1);
     for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
@@ -473,26 +369,23 @@ static inline int64_t tangent_strip_influence__end_displacement_t(double* total,
             }
             if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
             {
-                v3 = x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD));
-                v4 = v3 / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-                apart_t = (x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)) - v4 * (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-                apart = v4;
-                v6 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                tangent_strip_influence__mean_at_t(&v5, &v5_t, tables, work, work_t, table, other, fabs(v6), tangent_rates__size_rate(v6, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), apart * apart, apart_t * apart + apart * apart_t);
-                influence_t = v5_t;
-                influence = v5;
-                v7 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
-                v8 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v8 + v7 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-                (*total) = (*total) + v7 * v8;
+                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                tangent_strip_influence__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+                tangent_strip_influence__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), tangent_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v5, v5_t);
+                influence_t = v3_t;
+                influence = v3;
+                v6 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
+                v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v7 + v6 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+                (*total) = (*total) + v6 * v7;
             }
         }
     }
-    tangent_strip_influence__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
+    tangent_strip_influence__far_displacement_t(&v8, &v8_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
+    (*total_t) = (*total_t) + v8_t;
+    (*total) = (*total) + v8;
+    tangent_strip_influence__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, last, count);
     (*total_t) = (*total_t) + v9_t;
     (*total) = (*total) + v9;
-    tangent_strip_influence__far_displacement_t(&v10, &v10_t, tables, work, work_t, table, i, x, x_t, last, count);
-    (*total_t) = (*total_t) + v10_t;
-    (*total) = (*total) + v10;
     return 0;
 }

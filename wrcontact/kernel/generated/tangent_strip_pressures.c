@@ -6,7 +6,7 @@
 #include "tangent_strip_pressures.h"
 
 /* Tangent of ``solve_pressures``. */
-static inline int64_t tangent_strip_pressures__solve_pressures_t(double* result_0, double* result_1, int64_t* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, double prescribed, double prescribed_t, int64_t by_penetration)
+static inline int64_t tangent_strip_pressures__solve_pressures_t(double* result_0, double* result_1, int64_t* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, int64_t by_penetration, int64_t yawed)
 {
     double penetration_t;
     double penetration;
@@ -17,11 +17,12 @@ static inline int64_t tangent_strip_pressures__solve_pressures_t(double* result_
     double v2_t;
     int64_t single;
     int64_t n3;
-    penetration_t = prescribed_t;
-    penetration = prescribed;
+    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_STRIP_COUNT)) = (*cspan_at(&state, layout__STATE_STRIP_COUNT)) + 1.0;
+        tangent_strip_influence__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         n1 = tangent_strip_pressures__list_loaded_t(work, work_t);
         size = n1;
         tangent_strip_pressures__write_equations_t(work, work_t, size);
@@ -199,8 +200,11 @@ static inline int64_t tangent_strip_pressures__exchange_strips_t(array_double_1d
                 row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {
-                    pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
-                    pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) != 0.0)
+                    {
+                        pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
+                        pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    }
                 }
                 if (pushed > 0.0)
                 {

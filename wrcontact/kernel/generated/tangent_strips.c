@@ -94,8 +94,8 @@ static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double
     int64_t yawed;
     yawed = contact_plane__is_yawed(work);
     tangent_strip_surfaces__set_gaps_t(work, work_t);
-    tangent_strip_influence__fill_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-    tangent_strip_pressures__solve_pressures_t(penetration, penetration_t, found, work, work_t, tables, state, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+    tangent_strip_influence__begin_influences_t(work, work_t);
+    tangent_strip_pressures__solve_pressures_t(penetration, penetration_t, found, work, work_t, tables, state, force, force_t, by_penetration, yawed);
     if ((*found) == INT64_C(1))
     {
         tangent_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), power, power_t, yawed);

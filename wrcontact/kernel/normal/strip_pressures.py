@@ -10,6 +10,7 @@ from typing import Final
 
 from ..layout import Equations, State, StripProblem, Tables
 from .elimination import eliminate
+from .strip_influence import know_influences
 
 #: All wrong strips are exchanged at once in so many rounds, then one strip in each round, which cannot go in
 #: circles.
@@ -20,12 +21,13 @@ TOUCH: Final[float] = 1e-12
 
 
 def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, state: State, force: float,
-                    prescribed: float, by_penetration: int):
-    """y of all strips, and which are loaded, under ``force`` [N], or at the ``prescribed`` penetration [m]
-    where ``by_penetration``; the penetration [m], and 1 if found, else 0."""
-    penetration = prescribed
+                    by_penetration: int, yawed: int):
+    """y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
+    ``by_penetration``; the penetration [m], and 1 if found, else 0."""
+    penetration = problem.penetration
     for exchange in range(EXCHANGE_LIMIT):
         state.strip_count += 1.0
+        know_influences(tables.influence, problem, yawed)
         size = list_loaded(problem)
         write_equations(problem, equations, size)
         eliminate(equations, size)
@@ -107,7 +109,8 @@ def exchange_strips(problem: StripProblem, penetration: float, single: int):
                 pushed = (strip.share - TOUCH) * penetration - strip.gap
                 row = problem.influences[i]
                 for j in range(count):
-                    pushed -= row[j] * strips[j].y
+                    if strips[j].y != 0.0:
+                        pushed -= row[j] * strips[j].y
                 if pushed > 0.0:
                     strip.loaded = True
                     changed += 1

@@ -18,7 +18,7 @@ from typing import Final
 
 from ..contact.contact_plane import is_yawed
 from ..layout import Contact, State, Tables
-from .strip_influence import fill_influences
+from .strip_influence import begin_influences
 from .strip_layout import FIRST_SHARE, divide_cells, strip_cells, zone_cells
 from .strip_lengths import FIRST_POWER, POWER, adopt_lengths, correct_lengths
 from .strip_pressures import solve_pressures
@@ -95,9 +95,9 @@ def sweep_strips(tables: Tables, contact: Contact, state: State, power: float, f
     problem = contact.strip_problem
     yawed = is_yawed(contact.frame)
     set_gaps(problem)
-    fill_influences(tables.influence, problem, yawed)
-    penetration, found = solve_pressures(problem, contact.equations, tables, state, force,
-                                         problem.penetration, by_penetration)
+    begin_influences(problem)
+    penetration, found = solve_pressures(problem, contact.equations, tables, state, force, by_penetration,
+                                         yawed)
     if found == 1:
         correct_lengths(tables, problem, penetration, power, yawed)
     return penetration, found
