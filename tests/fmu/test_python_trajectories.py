@@ -16,9 +16,9 @@ MARGIN = 1.3
 MEAN = {"hunting": {"penetration": 0.49, "area": 1.01, "max_pressure": 1.07},
         "jumps": {"penetration": 0.73, "area": 2.20, "max_pressure": 1.32},
         "load": {"penetration": 0.32, "area": 0.37, "max_pressure": 0.37}}
-#: Largest deviations: measured 0.179, 0.160, 0.264, by ANALYN at 6.2548 ... 6.2638 mm, where the patch reaches
-#: around the flange root (0.112, 0.157, 0.251 when model and reference had planes). The wheels of "hunting" and
-#: "load" stay within 0.031, 0.065 and 0.127.
+#: Largest deviations: measured 0.179, 0.160, 0.264, by ANALYN at 6.2548 ... 6.2638 mm, where the patch
+#: reaches around the flange root (0.112, 0.157, 0.251 when model and reference had planes). The wheels of
+#: "hunting" and "load" stay within 0.031, 0.065 and 0.127.
 WORST = {"penetration": 0.24, "area": 0.22, "max_pressure": 0.34}
 #: The wheel as printed has a step at y = -35 mm, on which the reference's contact rests for 1 um of lateral
 #: shift; ours is led over it within half a millimetre, half the step (6e-8 m) up or down.
