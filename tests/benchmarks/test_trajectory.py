@@ -11,14 +11,17 @@ from wrcontact.kernel.binding.library import default_kernel
 
 STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
 #: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (counts.COUNTS).
+#:
+#: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew (strip_contact.DEEPER): 7 %
+#: of their gap evaluations and nodes in rigid contact.
 BUDGETS = {
     "Hertz, rigid": (32.57, 2.03, 4.14, 2.00, 0.00, 0.00),
     "ANALYN, rigid": (82.39, 2.03, 4.14, 55.35, 7.46, 0.00),
-    "strips, rigid": (82.39, 2.03, 4.14, 113.12, 0.00, 10.66),
+    "strips, rigid": (88.23, 2.03, 4.14, 120.43, 0.00, 10.47),
     "ANALYN, compliant": (85.26, 2.00, 0.00, 43.77, 2.64, 0.00),
     "ANALYN, elastic": (325.22, 4.69, 8.64, 212.07, 26.83, 0.00),
-    "strips, compliant": (85.26, 2.00, 0.00, 101.44, 0.00, 9.89),
-    "strips, elastic": (431.67, 4.67, 10.60, 670.20, 0.00, 66.36),
+    "strips, compliant": (85.26, 2.00, 0.00, 103.41, 0.00, 9.03),
+    "strips, elastic": (431.85, 4.66, 10.61, 682.47, 0.00, 60.55),
 }
 SLACK = 1.03
 

@@ -12,25 +12,37 @@ from wrcontact.interface.inputs import INPUTS
 #: By how much a change may raise what is measured.
 MEAN, WORST = 1.3, 1.5
 #: Measured errors [%] of penetration, area and peak pressure by model and run: mean, and worst.
+#:
+#: ANALYN is worst at 6.2548 ... 6.2638 mm, where the patch reaches around the flange root. Strips are worst
+#: in penetration at 6.2511 ... 6.2516 mm, where the rigid contact, from which the penetration counts, rests
+#: on the step of the printed wheel (tests/reference/README.md).
+#:
+#: The stored penetrations of the right wheel at 6 mm in "load" are 33 nm too small: the rigid pose is that of
+#: the wheel as printed, the pressed wheel has no steps. That is 2.6 % at 100 N and 0.04 % at 78.5 kN.
+#:
+#: Strips with planes had areas of 0.55 % in "positions" and 0.42 % in "load" in the mean, 1.8 and 0.7 % at
+#: worst, against planar references: areas of patches in one plane are less accurate now.
 MEASURED = {
     "analyn": {
-        "positions": ((0.67, 1.76, 1.21), (2.60, 6.18, 6.76)),
-        "hunting": ((0.46, 0.98, 1.05), (2.89, 9.42, 13.1)),
-        "jumps": ((0.64, 2.20, 1.62), (11.2, 10.9, 38.5)),
-        "load": ((0.24, 0.47, 0.63), (0.97, 3.03, 3.27)),
+        "positions": ((0.65, 1.77, 1.08), (2.68, 6.17, 3.25)),
+        "hunting": ((0.49, 1.01, 1.07), (3.11, 6.52, 12.7)),
+        "jumps": ((0.72, 2.20, 1.32), (17.9, 16.0, 26.5)),
+        "load": ((0.32, 0.37, 0.37), (2.64, 3.06, 1.94)),
     },
     "analyn_strip": {
-        "positions": ((0.28, 0.55, 0.37), (0.66, 1.80, 1.23)),
-        "hunting": ((0.22, 0.51, 0.32), (0.77, 8.94, 5.41)),
-        "jumps": ((0.23, 0.86, 1.06), (2.01, 15.5, 17.6)),
-        "load": ((0.11, 0.42, 0.12), (0.29, 0.69, 0.59)),
+        "positions": ((0.37, 1.10, 0.47), (1.37, 3.59, 1.61)),
+        "hunting": ((0.25, 0.55, 0.31), (1.02, 4.76, 4.32)),
+        "jumps": ((0.47, 0.89, 0.55), (4.75, 7.71, 5.06)),
+        "load": ((0.18, 0.69, 0.18), (2.30, 2.60, 1.27)),
     },
 }
-#: The same of the stored random poses: mean, 99 of 100, and worst.
+#: The same of the stored random poses: mean, 99 of 100, and worst. Strips with planes had 0.40 % of area in
+#: the mean and 1.8 % in 99 of 100, but 16 % at worst and 40 % of pressure, against planar references.
 RANDOM = {
-    "analyn": ((0.44, 0.97, 1.62), (2.43, 5.90, 6.92), (13.3, 20.7, 37.4)),
-    "analyn_strip": ((0.195, 0.401, 0.367), (0.63, 1.80, 1.91), (3.55, 16.2, 39.6)),
+    "analyn": ((0.47, 0.97, 1.57), (2.30, 5.67, 6.27), (20.0, 31.7, 12.8)),
+    "analyn_strip": ((0.164, 0.76, 0.36), (0.83, 3.01, 2.63), (1.97, 5.87, 8.83)),
 }
+
 
 def compared(model, name):
     """Errors (3, n) [%] at all loaded wheels of a run."""
@@ -63,7 +75,8 @@ def test_half_space_on_stored_runs(model, name):
 def test_half_space_on_stored_random_poses(model):
     """Three rails, two inclinations, half of them with yaw, 3 ... 200 kN; the half-space's tolerance is 1 %.
 
-    The worst poses lie beside a jump of the contact."""
+    ANALYN is worst where a second, shallow region begins to carry under a few kilonewtons (area -30 %), and
+    beside jumps of the contact."""
     truth = random_poses.references(random_poses.COUNT, random_poses.STORED)
     found = random_poses.compared(truth, (model,))[model]
     mean, most, worst = np.array(RANDOM[model])

@@ -236,9 +236,15 @@ ROUGH = {
 }
 #: The same with strips, which see the second region a little longer.
 ROUGH_STRIPS = [(-0.10, -0.02), (4.60, 4.72)]
-#: Of their area and width also, where the last strip on a flat side takes up load or loses it.
-ROUGH_EDGES = {"area": [(5.67, 5.73), (5.83, 5.91)],
-               "patch_width": [(-1.09, -1.02), (2.10, 2.18), (6.44, 6.48)]}
+#: Of their area and width also, where a strip at the edge takes up load or loses it: its half-length does not
+#: begin at zero. The area steps by 1.1 % at most, the width by 1.5 %. At 2.56 mm such a strip of the first
+#: layout moves the second one: penetration and pressure step by 0.4 and 0.3 %. Strips with planes had two
+#: such places of the area.
+ROUGH_EDGES = {"area": [(2.54, 2.61), (4.72, 4.75), (5.61, 5.66), (5.73, 5.78), (5.86, 5.89), (6.01, 6.03),
+                        (6.30, 6.32)],
+               "patch_width": [(-1.30, -1.19), (2.54, 2.61), (5.62, 5.66), (5.76, 5.78)]}
+#: Second differences there, of two steps after each other; measured 2.4 %.
+ROUGHEST_EDGE = 0.03
 
 
 def roughness(model, yaw, name):
@@ -258,9 +264,14 @@ def test_outputs_move_smoothly(model, yaw, name):
     rough = roughness(model, yaw, name)
     windows = sum(ROUGH.values(), [])
     if model == "analyn_strip":
-        windows += ROUGH_STRIPS + ROUGH_EDGES.get(name, [])
+        windows += ROUGH_STRIPS
+    named = len(windows)
+    if model == "analyn_strip":
+        windows += ROUGH_EDGES.get(name, [])
     shift = SWEEP[1:-1] * 1e3
     inside = np.any([(shift >= low) & (shift <= high) for low, high in windows], axis=0)
+    plain = np.any([(shift >= low) & (shift <= high) for low, high in windows[:named]], axis=0)
+    assert np.all(rough[inside & ~plain] < ROUGHEST_EDGE)
     worst = np.argmax(np.where(inside, 0.0, rough))
     assert rough[~inside].max() < 0.01, (shift[worst], rough[worst])
     assert np.median(rough) < 1e-4
