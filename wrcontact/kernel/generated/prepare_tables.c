@@ -241,9 +241,24 @@ static inline int64_t prepare_tables__note_start(array_double_1d work, array_dou
     return INT64_C(0);
 }
 
-/* Let the search use the table of starts, once its last row is known. */
+/* Let the search use the table of starts, once its last row is known.
+ *
+ * Rows of opposite shifts are made mirror images of each other to the last bit: a wheelset and its mirror
+ * image start alike.
+ */
 static inline int64_t prepare_tables__open_starts(array_double_1d tables)
 {
+    int64_t rows;
+    int64_t row;
+    rows = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS;
+    for (row = INT64_C(0); row < py_floor_div_int64_t(layout__START_COUNT, INT64_C(2)); row += INT64_C(1))
+    {
+        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_ROLL)) = -(*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_ROLL));
+        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_RIGHT));
+        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_RIGHT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_LEFT));
+    }
+    (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_ROLL)) = 0.0;
+    (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_RIGHT));
     (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_COUNT)) = (double)(layout__START_COUNT);
     return INT64_C(0);
 }

@@ -68,6 +68,10 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     {
         strips__second_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
     }
+    if (satisfied == INT64_C(1))
+    {
+        strip_patches__add_stiffness(work, tables, count);
+    }
     if ((satisfied == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         planes__locate_along_track(work, tables, count);

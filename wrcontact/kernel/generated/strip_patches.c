@@ -15,7 +15,6 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work, arra
     {
         strip_patches__load_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
     }
-    strip_patches__add_stiffness(work, tables, count);
     filling__clear_patches(work);
     first = INT64_C(0);
     while((first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))

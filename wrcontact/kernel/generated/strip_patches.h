@@ -16,7 +16,6 @@ static const double strip_patches__CLOSE = 1e-06;
 
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
-static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count);
 static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t patch, int64_t strip, int64_t to);
 static inline double strip_patches__divided_bend(array_double_1d work, int64_t i, double before, double value, double after);
 static inline double strip_patches__square_bend(array_double_1d work, int64_t i);
@@ -28,5 +27,6 @@ static inline double strip_patches__largest_pressure(array_double_1d work, int64
 static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last);
 static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t first, int64_t last);
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t count);
+static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count);
 
 #endif

@@ -78,6 +78,10 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
     {
         tangent_strips__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
     }
+    if (satisfied == INT64_C(1))
+    {
+        tangent_strip_patches__add_stiffness_t(work, work_t, tables, count);
+    }
     if ((satisfied == INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         tangent_planes__locate_along_track_t(work, work_t, tables, count);

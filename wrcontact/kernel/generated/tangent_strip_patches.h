@@ -16,7 +16,6 @@
 
 static inline int64_t tangent_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);
 static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index);
-static inline int64_t tangent_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 static inline int64_t tangent_strip_patches__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, int64_t to);
 static inline int64_t tangent_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t);
 static inline int64_t tangent_strip_patches__square_bend_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t i);
@@ -28,5 +27,6 @@ static inline int64_t tangent_strip_patches__largest_pressure_t(double* pressure
 static inline int64_t tangent_strip_patches__largest_square_t(double* square, double* square_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last);
 static inline int64_t tangent_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t last);
 static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t tangent_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 
 #endif

@@ -8,7 +8,7 @@ from ..contact.planes import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_deeper, sink_wheel
 from ..layout import Contact, SideSearch, State, Tables
 from .estimate import first_penetration
-from .strip_patches import fill_from_strips
+from .strip_patches import add_stiffness, fill_from_strips
 from .strip_zones import find_zones
 from .strips import first_layout, second_layout
 
@@ -55,6 +55,8 @@ def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSear
             problem.penetration = penetration
     if satisfied == 1:
         penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)
+    if satisfied == 1:
+        add_stiffness(tables, contact.regions, problem, contact.equations, count)
     if satisfied == 1 and contact.filling:
         locate_along_track(tables, contact.frame, contact.regions, count)
         fill_from_strips(tables, contact, count)

@@ -33,7 +33,6 @@ def fill_from_strips(tables: Tables, contact: Contact, count: int):
     strips = problem.strips
     for index in range(count):
         load_region(tables, contact.regions[index], problem, index)
-    add_stiffness(tables, contact.regions, problem, contact.equations, count)
     solved = contact.solved
     clear_patches(solved)
     first = 0

@@ -205,6 +205,17 @@ def note_start(tables: Tables, outputs: Outputs, row: int, status: int):
 
 
 def open_starts(tables: Tables):
-    """Let the search use the table of starts, once its last row is known."""
+    """Let the search use the table of starts, once its last row is known.
+
+    Rows of opposite shifts are made mirror images of each other to the last bit: a wheelset and its mirror
+    image start alike.
+    """
+    rows = tables.starts.rows
+    for row in range(START_COUNT // 2):
+        rows[row].roll = -rows[START_COUNT - 1 - row].roll
+        rows[row].left = rows[START_COUNT - 1 - row].right
+        rows[row].right = rows[START_COUNT - 1 - row].left
+    rows[START_COUNT // 2].roll = 0.0
+    rows[START_COUNT // 2].left = rows[START_COUNT // 2].right
     tables.starts.count = float(START_COUNT)
     return 0
