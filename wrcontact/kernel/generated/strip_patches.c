@@ -42,6 +42,11 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t firs
     int64_t i;
     double load;
     double pressure;
+    if (last > first)
+    {
+        strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
+        strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
+    }
     start = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
     stop = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
@@ -60,6 +65,24 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t firs
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
     filling__finish_patch(work);
+    return INT64_C(0);
+}
+
+/* Shorten the strip ``edge`` at the end of a run as the strip ``inner`` beside it asks for; its load
+ * stays.
+ *
+ * Where a patch ends like an ellipse, the squares of the half-lengths fall like the line loads.  A strip
+ * that has just begun to carry has had the half-length of its neighbour, which is too long.
+ */
+static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner)
+{
+    double square;
+    square = (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
+    if (square < (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)))
+    {
+        (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) *= sqrt((*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) / square);
+        (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square;
+    }
     return INT64_C(0);
 }
 

@@ -16,6 +16,7 @@ static const double strip_patches__CLOSE = 1e-06;
 
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner);
 static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t patch, int64_t strip, int64_t to);
 static inline double strip_patches__divided_bend(array_double_1d work, int64_t i, double before, double value, double after);
 static inline double strip_patches__square_bend(array_double_1d work, int64_t i);

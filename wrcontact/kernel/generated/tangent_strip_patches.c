@@ -57,6 +57,11 @@ static inline int64_t tangent_strip_patches__fill_run_t(array_double_1d work, ar
     double pressure;
     double v6;
     double v6_t;
+    if (last > first)
+    {
+        tangent_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
+        tangent_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
+    }
     tangent_strip_edges__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
     start_t = v1_t;
     start = v1;
@@ -90,6 +95,31 @@ static inline int64_t tangent_strip_patches__fill_run_t(array_double_1d work, ar
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v6;
     tangent_filling__finish_patch_t(work, work_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``end_like_ellipse``. */
+static inline int64_t tangent_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner)
+{
+    double v1;
+    double v2;
+    double square_t;
+    double square;
+    double v3;
+    double v4;
+    v1 = (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD));
+    v2 = v1 / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
+    square_t = ((*cspan_at(&work_t, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) + (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work_t, edge + layout__STRIP_LINE_LOAD)) - v2 * (*cspan_at(&work_t, inner + layout__STRIP_LINE_LOAD))) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
+    square = v2;
+    if (square < (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)))
+    {
+        v3 = (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) / square;
+        v4 = sqrt(v3);
+        (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) * v4 + (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * tangent_rates__root_rate(v4, ((*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) - v3 * square_t) / square);
+        (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * v4;
+        (*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square_t;
+        (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square;
+    }
     return INT64_C(0);
 }
 

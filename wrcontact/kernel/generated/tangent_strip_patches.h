@@ -12,10 +12,12 @@
 #include "strip_patches.h"
 #include "tangent_filling.h"
 #include "tangent_quadrature.h"
+#include "tangent_rates.h"
 #include "tangent_strip_edges.h"
 
 static inline int64_t tangent_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);
 static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t tangent_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner);
 static inline int64_t tangent_strip_patches__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, int64_t to);
 static inline int64_t tangent_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t);
 static inline int64_t tangent_strip_patches__square_bend_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t i);

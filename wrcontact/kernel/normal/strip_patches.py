@@ -1,6 +1,6 @@
 """From corrected strips to solved patches: each run of loaded strips that touch each other is a patch."""
 
-from math import atan, pi
+from math import atan, pi, sqrt
 from typing import Final
 
 from ..layout import (
@@ -49,6 +49,9 @@ def fill_from_strips(tables: Tables, contact: Contact, count: int):
 def fill_run(regions: Regions, solved: SolvedPatches, problem: StripProblem, first: int, last: int):
     """Fill the next patch from the loaded strips ``first`` ... ``last``."""
     strips = problem.strips
+    if last > first:
+        end_like_ellipse(strips[first], strips[first + 1])
+        end_like_ellipse(strips[last], strips[last - 1])
     start = run_edge(strips, problem.count, first, last, -1)
     stop = run_edge(strips, problem.count, last, first, 1)
     region = regions[strips[first].region]
@@ -65,6 +68,20 @@ def fill_run(regions: Regions, solved: SolvedPatches, problem: StripProblem, fir
     solved.pressure_square = pressure * pressure
     solved.half_length_square = largest_square(strips, first, last)
     finish_patch(solved)
+    return 0
+
+
+def end_like_ellipse(edge: Strip, inner: Strip):
+    """Shorten the strip ``edge`` at the end of a run as the strip ``inner`` beside it asks for; its load
+    stays.
+
+    Where a patch ends like an ellipse, the squares of the half-lengths fall like the line loads.  A strip
+    that has just begun to carry has had the half-length of its neighbour, which is too long.
+    """
+    square = inner.half_length_square * edge.line_load / inner.line_load
+    if square < edge.half_length_square:
+        edge.pressure *= sqrt(edge.half_length_square / square)
+        edge.half_length_square = square
     return 0
 
 
