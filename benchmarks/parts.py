@@ -31,6 +31,7 @@ from . import (
     store,
     tangents,
     trajectory,
+    zones,
 )
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
@@ -153,6 +154,7 @@ PARTS = {
     "skip_errors": Part(ERRORS, lambda effort: skips.answers()),
     "tolerances": Part(ERRORS, lambda effort: random_poses.numerics(min(effort.count, TOLERANCES))),
     "random_poses": Part(ERRORS, random_errors),
+    "zones": Part(ERRORS, lambda effort: zones.by_zone()),
     "counts": Part(ERRORS, lambda effort: counts.table(min(effort.count, COUNTED))),
     "choices": Part(ERRORS, lambda effort: choices.changes()),
     "stations": Part(ERRORS, lambda effort: stations.errors()),

@@ -144,6 +144,16 @@ def random_table(parts):
     return "\n".join(lines)
 
 
+def zone_table(parts):
+    """Errors where the wheel touches, by model."""
+    found = {zone: row for zone, row in parts["zones"]["rows"].items() if row["wheels"]}
+    first = next(iter(found.values()))
+    columns = [(model, kind) for model in first if model != "wheels" for kind in first[model]]
+    return grid(["where", "wheels", *(f"{model}: {kind}" for model, kind in columns)],
+                [[zone, row["wheels"], *(three(row[model][kind]) for model, kind in columns)]
+                 for zone, row in found.items()])
+
+
 # --------------------------------------------------------------------------------------------- other pages
 
 
@@ -277,6 +287,7 @@ TABLES = {
     "threads": Table(BENCHMARKS, ("threads",), thread_table),
     "tolerances": Table(BENCHMARKS, ("tolerances",), tolerance_table, ERRORS),
     "random": Table(BENCHMARKS, ("random_poses",), random_table),
+    "zones": Table(BENCHMARKS, ("zones",), zone_table, ERRORS),
     "curvature": Table(METHOD, ("curvature",), curvature_table, ERRORS),
     "choices": Table(METHOD, ("choices",), choice_table, f"Changes in {TRIPLE}."),
     "manchester": Table(METHOD, ("manchester",), manchester_table),
