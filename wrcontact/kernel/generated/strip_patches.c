@@ -72,7 +72,7 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t firs
  * stays.
  *
  * Where a patch ends like an ellipse, the squares of the half-lengths fall like the line loads.  A strip
- * that has just begun to carry has had the half-length of its neighbour, which is too long.
+ * that has just begun to carry has had the half-length of its neighbour, which is too long; eq. (S9).
  */
 static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner)
 {

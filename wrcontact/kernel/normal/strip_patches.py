@@ -76,7 +76,7 @@ def end_like_ellipse(edge: Strip, inner: Strip):
     stays.
 
     Where a patch ends like an ellipse, the squares of the half-lengths fall like the line loads.  A strip
-    that has just begun to carry has had the half-length of its neighbour, which is too long.
+    that has just begun to carry has had the half-length of its neighbour, which is too long; eq. (S9).
     """
     square = inner.half_length_square * edge.line_load / inner.line_load
     if square < edge.half_length_square:
