@@ -8,7 +8,7 @@ between them are one region (deep_points.MERGE).
 from math import fabs
 from typing import Final
 
-from ..layout import OVERLAP_LIMIT, Frame, Overlap, Place, Samples, SideSearch, State, Tables
+from ..layout import OVERLAP_LIMIT, Frame, Overlap, Place, Samples, SideSearch, State, Stretch, Tables
 from ..search.bounds import bend_bounds, only_rises_or_falls
 from ..search.raster import node_below
 from ..surface.locus import outline_point
@@ -18,10 +18,11 @@ from .overlap_samples import walk_overlap
 from .pressed import LINE_SHARP, normal_line
 from .touching import turning_point
 
-#: Between two samples the overlap is examined in this many parts.
-OVERLAP_PARTS: Final[int] = 4
-#: The same where the samples do not show whether it turns.
-HIDDEN_PARTS: Final[int] = 8
+#: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
+#: show that it turns.
+PARTS: Final[int] = 8
+HIDDEN_PART: Final[int] = 1
+OVERLAP_PART: Final[int] = 2
 #: Bounds of the bend along the rail's normals are wider than those straight down by this share of the wheel's
 #: bend: an overlap of 100 micrometres over a rail of 13 mm radius, and more.
 NORMAL_SHARE: Final[float] = 0.01
@@ -57,38 +58,44 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
 def list_in_cell(tables: Tables, frame: Frame, overlap: Overlap, place: Place, entry: int):
     """List the deepest points between the sample ``entry`` and the next one."""
     samples = overlap.samples
-    first = samples.rise[entry]
-    last = samples.rise[entry + 1]
+    stretch = overlap.stretch
+    stretch.first = samples.rise[entry]
+    stretch.last = samples.rise[entry + 1]
     hidden = may_turn(tables, samples, place, entry)
-    if hidden == 0 and not (first > 0.0 and last <= 0.0):
+    if hidden == 0 and not (stretch.first > 0.0 and stretch.last <= 0.0):
         return 0
-    low = samples.rail[entry]
-    high = samples.rail[entry + 1]
-    y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
-    least, most = bend_bounds(tables.scan, place, node_below(tables.scan, samples.wheel[entry]), low)
+    open_stretch(tables, overlap, place, entry)
+    finest = OVERLAP_PART
+    listed = 0
     if hidden == 1:
         # the samples are straight down: what counts is the rise along the normal
-        first = normal_rise(tables, frame, overlap, place, low, samples.wheel[entry])
-        last = normal_rise(tables, frame, overlap, place, high, samples.wheel[entry + 1])
-        least, most = wider_bounds(tables, samples, place, entry, least, most)
-        width = samples.wheel[entry + 1] - samples.wheel[entry]
-        if only_rises_or_falls(least, most, width, -first, -last) == 1:
-            return 0
-    listed = 0
-    if least > 0.0:
-        # it has one largest value at most
-        if first <= 0.0 or last > 0.0:
-            return 0
-        listed = list_turning_point(tables, frame, overlap, place, low, high, y)
+        widen_bounds(tables, overlap, place, entry)
+        stretch.first = normal_rise(tables, frame, overlap, place, stretch.low, samples.wheel[entry])
+        stretch.last = normal_rise(tables, frame, overlap, place, stretch.high, samples.wheel[entry + 1])
+        finest = HIDDEN_PART
+    elif stretch.least > 0.0:
+        listed = list_turning_point(tables, frame, overlap, place, stretch.low, stretch.high, stretch.wheel)
+    else:
+        widen_bounds(tables, overlap, place, entry)
     if listed == 0:
-        parts = HIDDEN_PARTS
-        if hidden == 0 or (first > 0.0 and last <= 0.0):
-            parts = OVERLAP_PARTS
         if hidden == 0:
-            step = high - low
-            low = bracket_end(tables, frame, overlap, place, low, -step, y)
-            high = bracket_end(tables, frame, overlap, place, high, step, y)
-        list_between(tables, frame, overlap, place, low, high, y, parts)
+            stretch.least = min(stretch.least, 0.0)
+            widen_stretch(tables, frame, overlap, place)
+        list_on_stretch(tables, frame, overlap, place, finest)
+    return 0
+
+
+def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
+    """Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
+    down."""
+    samples = overlap.samples
+    stretch = overlap.stretch
+    stretch.low = samples.rail[entry]
+    stretch.high = samples.rail[entry + 1]
+    stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
+    stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
+    node = node_below(tables.scan, samples.wheel[entry])
+    stretch.least, stretch.most = bend_bounds(tables.scan, place, node, stretch.low)
     return 0
 
 
@@ -102,25 +109,27 @@ def normal_rise(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x:
     return rise
 
 
-def wider_bounds(tables: Tables, samples: Samples, place: Place, entry: int, least: float, most: float):
-    """The bounds [1/m] of the bend of the gap straight down between the sample ``entry`` and the next one,
-    widened to those of the bend along the normals.
+def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
+    """Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
 
     A normal meets the wheel aside of the sample, in the next cell at most, and by a share of NORMAL_SHARE
     sooner or later.
     """
     scan = tables.scan
-    node = node_below(scan, samples.wheel[entry])
+    stretch = overlap.stretch
+    node = node_below(scan, overlap.samples.wheel[entry])
     if node > 0:
-        low, high = bend_bounds(scan, place, node - 1, samples.rail[entry])
-        least = min(least, low)
-        most = max(most, high)
+        low, high = bend_bounds(scan, place, node - 1, stretch.low)
+        stretch.least = min(stretch.least, low)
+        stretch.most = max(stretch.most, high)
     if node + 2 < scan.count:
-        low, high = bend_bounds(scan, place, node + 1, samples.rail[entry])
-        least = min(least, low)
-        most = max(most, high)
+        low, high = bend_bounds(scan, place, node + 1, stretch.low)
+        stretch.least = min(stretch.least, low)
+        stretch.most = max(stretch.most, high)
     share = NORMAL_SHARE * scan.nodes[node].steepest_bends[0]
-    return least - share, most + share
+    stretch.least -= share
+    stretch.most += share
+    return 0
 
 
 def list_turning_point(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float,
@@ -150,12 +159,25 @@ def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
     return answer
 
 
-def bracket_end(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x: float, step: float,
-                y: float):
+def widen_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
+    """Widen the stretch until the overlap rises from its first end and falls to its last one: the samples are
+    straight down, and their slope may change its sign a little before the overlap along the normal has its
+    maximum."""
+    stretch = overlap.stretch
+    step = stretch.high - stretch.low
+    low = bracket_end(tables, frame, overlap, place, stretch.low, -step)
+    high = bracket_end(tables, frame, overlap, place, stretch.high, step)
+    stretch.width *= (high - low) / step
+    stretch.low = low
+    stretch.high = high
+    return 0
+
+
+def bracket_end(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x: float, step: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
-    side: the samples are straight down, and their slope may change its sign a little before the overlap along
-    the normal has its maximum."""
+    side."""
     rail = tables.rail
+    y = overlap.stretch.wheel
     for i in range(WIDENINGS):
         if x <= rail.start:
             return rail.start
@@ -169,32 +191,46 @@ def bracket_end(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x:
     return x
 
 
-def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float, high: float,
-                 y: float, parts: int):
-    """List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly
-    conformal profiles the joints of their arcs leave several, of which a bracket by itself would end at
-    either.  Where it is examined in OVERLAP_PARTS, the overlap rises at one end and falls at the other."""
-    step = (high - low) / float(parts)
-    start = low
-    estimate = y
-    rising = 1
-    if parts == HIDDEN_PARTS and normal_rise(tables, frame, overlap, place, low, y) <= 0.0:
-        rising = 0
-    for i in range(1, parts + 1):
-        stop = low + step * float(i)
-        falls = 1
-        if i < parts or parts == HIDDEN_PARTS:
-            near, depth, rise, bend, curvature, found = normal_line(tables, frame, place, stop, estimate,
-                                                                    overlap.height, LINE_SHARP)
-            if found == 1:
-                estimate = near
-            if found == 1 and rise > 0.0:
-                falls = 0
-        if rising == 1 and falls == 1:
-            list_turning_point(tables, frame, overlap, place, start, stop, estimate)
-        rising = 1 - falls
-        start = stop
+def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place, finest: int):
+    """List the deepest points on the stretch: on nearly conformal profiles the joints of their arcs leave
+    several, of which a bracket by itself would end at either.
+
+    It is halved until the bounds show that the overlap has one largest value at most on each part, or a part
+    is ``finest`` of the PARTS.
+    """
+    stretch = overlap.stretch
+    each = (stretch.high - stretch.low) / float(PARTS)
+    before = stretch.first
+    start = 0
+    size = PARTS
+    while start < PARTS:
+        stop = start + size
+        after = stretch.last
+        if stop < PARTS:
+            x = stretch.low + each * float(stop)
+            after = normal_rise(tables, frame, overlap, place, x, stretch.wheel)
+        if size > finest and turns_once(stretch, float(size) / float(PARTS), before, after) == 0:
+            size = size // 2
+        else:
+            if before > 0.0 and after <= 0.0:
+                list_turning_point(tables, frame, overlap, place, stretch.low + each * float(start),
+                                   stretch.low + each * float(stop), stretch.wheel)
+            before = after
+            start = stop
+            while start < PARTS and size < PARTS and start % (2 * size) == 0:
+                size = 2 * size
     return 0
+
+
+def turns_once(stretch: Stretch, share: float, before: float, after: float):
+    """1 if the overlap certainly has one largest value at most on a ``share`` of the stretch, at the ends of
+    which it rises by ``before`` and ``after`` [-], else 0."""
+    answer = 0
+    if stretch.least > 0.0:
+        answer = 1
+    elif before * after > 0.0:
+        answer = only_rises_or_falls(stretch.least, stretch.most, share * stretch.width, -before, -after)
+    return answer
 
 
 def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch):

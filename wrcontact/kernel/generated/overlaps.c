@@ -46,66 +46,59 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
 /* List the deepest points between the sample ``entry`` and the next one. */
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
 {
-    double first;
-    double last;
     int64_t hidden;
-    double low;
-    double high;
-    double y;
-    double least;
-    double most;
-    double width;
+    int64_t finest;
     int64_t listed;
-    int64_t parts;
-    double step;
-    first = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
-    last = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
     hidden = overlaps__may_turn(work, tables, place, entry);
-    if ((hidden == INT64_C(0)) && (!((first > 0.0) && (last <= 0.0))))
+    if ((hidden == INT64_C(0)) && (!(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) <= 0.0))))
     {
         return INT64_C(0);
     }
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1))));
-    y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry))), low);
+    overlaps__open_stretch(work, tables, place, entry);
+    finest = overlaps__OVERLAP_PART;
+    listed = INT64_C(0);
     if (hidden == INT64_C(1))
     {
         /* the samples are straight down: what counts is the rise along the normal */
-        first = overlaps__normal_rise(work, tables, place, low, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-        last = overlaps__normal_rise(work, tables, place, high, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-        overlaps__wider_bounds(&least, &most, work, tables, place, entry, least, most);
-        width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-        if (bounds__only_rises_or_falls(least, most, width, -first, -last) == INT64_C(1))
-        {
-            return INT64_C(0);
-        }
+        overlaps__widen_bounds(work, tables, place, entry);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) = overlaps__normal_rise(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) = overlaps__normal_rise(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+        finest = overlaps__HIDDEN_PART;
     }
-    listed = INT64_C(0);
-    if (least > 0.0)
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
     {
-        /* it has one largest value at most */
-        if ((first <= 0.0) || (last > 0.0))
-        {
-            return INT64_C(0);
-        }
-        listed = overlaps__list_turning_point(work, tables, place, low, high, y);
+        listed = overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+    }
+    else
+    {
+        overlaps__widen_bounds(work, tables, place, entry);
     }
     if (listed == INT64_C(0))
     {
-        parts = overlaps__HIDDEN_PARTS;
-        if ((hidden == INT64_C(0)) || ((first > 0.0) && (last <= 0.0)))
-        {
-            parts = overlaps__OVERLAP_PARTS;
-        }
         if (hidden == INT64_C(0))
         {
-            step = high - low;
-            low = overlaps__bracket_end(work, tables, place, low, -step, y);
-            high = overlaps__bracket_end(work, tables, place, high, step, y);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), 0.0);
+            overlaps__widen_stretch(work, tables, place);
         }
-        overlaps__list_between(work, tables, place, low, high, y, parts);
+        overlaps__list_on_stretch(work, tables, place, finest);
     }
+    return INT64_C(0);
+}
+
+/* Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
+ * down.
+ */
+static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+{
+    int64_t node;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1))));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
     return INT64_C(0);
 }
 
@@ -127,13 +120,12 @@ static OUT_OF_LINE double overlaps__normal_rise(array_double_1d work, array_doub
     return rise;
 }
 
-/* The bounds [1/m] of the bend of the gap straight down between the sample ``entry`` and the next one,
- * widened to those of the bend along the normals.
+/* Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
  *
  * A normal meets the wheel aside of the sample, in the next cell at most, and by a share of NORMAL_SHARE
  * sooner or later.
  */
-static OUT_OF_LINE int64_t overlaps__wider_bounds(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t entry, double least, double most)
+static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
 {
     int64_t scan;
     int64_t node;
@@ -144,20 +136,20 @@ static OUT_OF_LINE int64_t overlaps__wider_bounds(double* result_0, double* resu
     node = raster__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
     if (node > INT64_C(0))
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
-        least = double_min(2, least, low);
-        most = double_max(2, most, high);
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
     }
     if (node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
-        least = double_min(2, least, low);
-        most = double_max(2, most, high);
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
     }
     share = overlaps__NORMAL_SHARE * (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-    (*result_0) = least - share;
-    (*result_1) = most + share;
-    return 0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) -= share;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) += share;
+    return INT64_C(0);
 }
 
 /* List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
@@ -208,13 +200,31 @@ static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double
     return answer;
 }
 
-/* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
- * side: the samples are straight down, and their slope may change its sign a little before the overlap along
- * the normal has its maximum.
+/* Widen the stretch until the overlap rises from its first end and falls to its last one: the samples are
+ * straight down, and their slope may change its sign a little before the overlap along the normal has its
+ * maximum.
  */
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y)
+static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_double_1d tables, int64_t place)
+{
+    double step;
+    double low;
+    double high;
+    step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW));
+    low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), -step);
+    high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), step);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) *= (high - low) / step;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) = low;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) = high;
+    return INT64_C(0);
+}
+
+/* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
+ * side.
+ */
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step)
 {
     int64_t rail;
+    double y;
     int64_t i;
     double depth;
     double rise;
@@ -223,6 +233,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     int64_t found;
     double result;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
     for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
     {
         if (x <= (*cspan_at(&tables, rail + layout__PROFILE_START)))
@@ -245,57 +256,71 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     return x;
 }
 
-/* List the deepest points between two rail abscissae, which are examined in ``parts``: on nearly
- * conformal profiles the joints of their arcs leave several, of which a bracket by itself would end at
- * either.  Where it is examined in OVERLAP_PARTS, the overlap rises at one end and falls at the other.
+/* List the deepest points on the stretch: on nearly conformal profiles the joints of their arcs leave
+ * several, of which a bracket by itself would end at either.
+ *
+ * It is halved until the bounds show that the overlap has one largest value at most on each part, or a part
+ * is ``finest`` of the PARTS.
  */
-static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, int64_t parts)
+static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest)
 {
-    double step;
-    double start;
-    double estimate;
-    int64_t rising;
-    int64_t i;
-    double stop;
-    int64_t falls;
-    double near;
-    double depth;
-    double rise;
-    double bend;
-    double curvature;
-    int64_t found;
-    step = (high - low) / (double)(parts);
-    start = low;
-    estimate = y;
-    rising = INT64_C(1);
-    if ((parts == overlaps__HIDDEN_PARTS) && (overlaps__normal_rise(work, tables, place, low, y) <= 0.0))
+    double each;
+    double before;
+    int64_t start;
+    int64_t size;
+    int64_t stop;
+    double after;
+    double x;
+    each = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW))) / (double)(overlaps__PARTS);
+    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST));
+    start = INT64_C(0);
+    size = overlaps__PARTS;
+    while(start < overlaps__PARTS)
     {
-        rising = INT64_C(0);
-    }
-    for (i = INT64_C(1); i < parts + INT64_C(1); i += INT64_C(1))
-    {
-        stop = low + step * (double)(i);
-        falls = INT64_C(1);
-        if ((i < parts) || (parts == overlaps__HIDDEN_PARTS))
+        stop = start + size;
+        after = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST));
+        if (stop < overlaps__PARTS)
         {
-            pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
-            if (found == INT64_C(1))
+            x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(stop);
+            after = overlaps__normal_rise(work, tables, place, x, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        }
+        if ((size > finest) && (overlaps__turns_once(work, (double)(size) / (double)(overlaps__PARTS), before, after) == INT64_C(0)))
+        {
+            size = py_floor_div_int64_t(size, INT64_C(2));
+        }
+        else
+        {
+            if ((before > 0.0) && (after <= 0.0))
             {
-                estimate = near;
+                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(start), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(stop), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
             }
-            if ((found == INT64_C(1)) && (rise > 0.0))
+            before = after;
+            start = stop;
+            while((start < overlaps__PARTS) && (size < overlaps__PARTS) && (pyc_modulo(start, (INT64_C(2) * size)) == INT64_C(0)))
             {
-                falls = INT64_C(0);
+                size = INT64_C(2) * size;
             }
         }
-        if ((rising == INT64_C(1)) && (falls == INT64_C(1)))
-        {
-            overlaps__list_turning_point(work, tables, place, start, stop, estimate);
-        }
-        rising = INT64_C(1) - falls;
-        start = stop;
     }
     return INT64_C(0);
+}
+
+/* 1 if the overlap certainly has one largest value at most on a ``share`` of the stretch, at the ends of
+ * which it rises by ``before`` and ``after`` [-], else 0.
+ */
+static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double share, double before, double after)
+{
+    int64_t answer;
+    answer = INT64_C(0);
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
+    {
+        answer = INT64_C(1);
+    }
+    else if (before * after > 0.0)
+    {
+        answer = bounds__only_rises_or_falls((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)), -before, -after);
+    }
+    return answer;
 }
 
 /* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:

@@ -21,19 +21,23 @@
 #include "raster.h"
 #include "touching.h"
 
-static const int64_t overlaps__OVERLAP_PARTS = INT64_C(4);
-static const int64_t overlaps__HIDDEN_PARTS = INT64_C(8);
+static const int64_t overlaps__PARTS = INT64_C(8);
+static const int64_t overlaps__HIDDEN_PART = INT64_C(1);
+static const int64_t overlaps__OVERLAP_PART = INT64_C(2);
 static const double overlaps__NORMAL_SHARE = 0.01;
 static const double overlaps__FIRST_STEP = 1e-07;
 static const double overlaps__FAR_STEP = 0.001;
 static const int64_t overlaps__WIDENINGS = INT64_C(6);
 
 static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE double overlaps__normal_rise(array_double_1d work, array_double_1d tables, int64_t place, double x, double y);
-static OUT_OF_LINE int64_t overlaps__wider_bounds(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t entry, double least, double most);
 static OUT_OF_LINE int64_t overlaps__list_turning_point(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y);
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y);
-static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, int64_t parts);
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step);
+static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_double_1d tables, int64_t place);
+static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double share, double before, double after);
+static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest);
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place);

@@ -147,6 +147,20 @@ class Samples:
 
 
 @record
+class Stretch:
+    """A stretch of the rail on which deepest points are sought."""
+
+    low: float                      # rail abscissae of its ends [m]
+    high: float
+    wheel: float                    # a wheel abscissa that belongs to it [m]
+    width: float                    # how far the wheel's reach [m]
+    first: float                    # rise of the overlap at its ends [-]
+    last: float
+    least: float                    # bounds of the bend of the gap [1/m]
+    most: float
+
+
+@record
 class Overlap:
     """Where a pressed wheel overlaps its rail."""
 
@@ -154,3 +168,4 @@ class Overlap:
     height: float                   # vertical shift of the wheel [m]
     points: DeepPoint * DEEP_LIMIT
     samples: Samples
+    stretch: Stretch
