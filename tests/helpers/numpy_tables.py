@@ -103,6 +103,12 @@ def fill_starts(tables):
         if bound.step() <= layout.UNLOADED:
             row["_known"], row["roll"] = 1.0, result.roll
             row["left"], row["right"] = result.left[0].y_wheel, result.left[1].y_wheel
+    # a wheelset and its mirror image start alike
+    middle = layout.START_COUNT // 2
+    mirror = found[:middle:-1]
+    found["roll"][:middle], found["roll"][middle] = -mirror["roll"], 0.0
+    found["left"][:middle], found["right"][:middle] = mirror["right"], mirror["left"]
+    found["left"][middle] = found["right"][middle]
     for row, one in zip(starts.rows, found):
         row.known, row.roll, row.left, row.right = (one["_known"] == 1.0, one["roll"], one["left"],
                                                     one["right"])
