@@ -37,14 +37,9 @@ TOLERANCES = (
     ("contact angle", WHEELS, ("contact_angle",), 1e-4, "rad"),
     ("normal force", WHEELS, ("normal_force",), 1e-4, "%"),
     ("penetration", WHEELS, ("penetration",), 5.0, "%"),
-    ("area", WHEELS, ("area",), 12.0, "%"),
+    ("area", WHEELS, ("area",), 10.0, "%"),
     ("largest pressure", WHEELS, ("max_pressure",), 15.0, "%"),
 )
-#: The stored patches are those of the complete theory.  ANALYN may exceed its tolerance in a few rows, where
-#: the load moves between two patches: quantity, largest deviation there [%].  At least the share LEAST_WITHIN
-#: must be within the tolerance.
-LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
-LEAST_WITHIN = 0.97
 
 
 @dataclass(frozen=True)
@@ -61,10 +56,7 @@ class Check:
 
     @property
     def passed(self):
-        """Whether all values are within the tolerance; for patches, whether enough are and none exceeds
-        LARGEST."""
-        if self.quantity in LARGEST:
-            return self.deviation <= LARGEST[self.quantity] and self.within >= LEAST_WITHIN * self.count
+        """Whether all values are within the tolerance."""
         return self.within == self.count
 
 
@@ -249,9 +241,7 @@ def tell(folder, fmu, checks, seconds):
               "and flange",
               soft_wrap=True)
     out.print(check_table(checks))
-    out.print("penetration, area and pressure are compared with complete half-space theory; a check is ok if "
-              f"{LEAST_WITHIN:.0%} of the values are within the tolerance and none exceeds "
-              f"{', '.join(f'{limit:g}' for limit in LARGEST.values())} %", soft_wrap=True)
+    out.print("penetration, area and pressure are compared with complete half-space theory", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed
