@@ -114,15 +114,15 @@ def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     assert check.place.startswith(f"{stored_run()['lateral_shift'][40] * 1e3:.2f}")
 
 
-@pytest.mark.parametrize("name, factor, quantity", [
-    ("right.penetration", 1.051, "penetration"),
-    ("left.area", 0.879, "area"),
-    ("right.max_pressure", 1.151, "largest pressure"),
+@pytest.mark.parametrize("name, tolerance, quantity", [
+    ("right.penetration", 0.05, "penetration"),
+    ("left.area", 0.10, "area"),
+    ("right.max_pressure", 0.15, "largest pressure"),
 ])
-def test_a_few_patches_may_miss_their_tolerance_but_not_many(answers, name, factor, quantity):
-    answers[name][40:49] *= factor  # 9 of 320 values
+def test_every_patch_keeps_its_tolerance(answers, name, tolerance, quantity):
+    answers[name][40] = stored_run()[name][40] * (1.0 + 0.999 * tolerance)
     assert failed(answers) == []
-    answers[name][49] *= factor  # 10 of 320: less than 97 % are left
+    answers[name][40] = stored_run()[name][40] * (1.0 + 1.001 * tolerance)
     assert failed(answers) == [quantity]
 
 

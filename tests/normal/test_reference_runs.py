@@ -17,11 +17,8 @@ MEAN, WORST = 1.3, 1.5
 #: in penetration at 6.2511 ... 6.2516 mm, where the rigid contact, from which the penetration counts, rests
 #: on the step of the printed wheel (tests/reference/README.md).
 #:
-#: The stored penetrations of the right wheel at 6 mm in "load" are 33 nm too small: the rigid pose is that of
-#: the wheel as printed, the pressed wheel has no steps. That is 2.6 % at 100 N and 0.04 % at 78.5 kN.
-#:
 #: Strips with planes had areas of 0.55 % in "positions" and 0.42 % in "load" in the mean, 1.8 and 0.7 % at
-#: worst, against planar references: areas of patches in one plane are less accurate now.
+#: worst, against planar references.
 MEASURED = {
     "analyn": {
         "positions": ((0.65, 1.77, 1.08), (2.68, 6.17, 3.25)),
