@@ -1,4 +1,4 @@
-"""Random poses on random tracks: ANALYN and its strip correction compared with the complete theory, wheel by
+"""Random poses on random tracks: ANALYN and strips compared with the complete theory, wheel by
 wheel.
 
     |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or

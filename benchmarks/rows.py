@@ -93,7 +93,7 @@ def formulas(effort):
 
 
 def ladders(effort):
-    """ANALYN and the strip correction at each of their tolerances, and ANALYN with the other longitudinal
+    """ANALYN and strips at each of their tolerances, and ANALYN with the other longitudinal
     curvature."""
     poses = runs.trajectory(effort.count, yaw=0.0)
     for model in (Analyn, Strip):

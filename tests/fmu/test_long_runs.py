@@ -120,7 +120,7 @@ def walked(seed, steps):
 @needs_glibc
 @pytest.mark.parametrize("steps", [3_000, pytest.param(200_000, marks=complete)])
 def test_a_native_walk_with_other_methods(hosts, steps):
-    """Elastic contact, vertical loads, the strip correction, vertical separation,
+    """Elastic contact, vertical loads, the strip model, vertical separation,
     basic and smooth curvatures.
 
     In elastic contact one step in 200 has no solution here, all of them with 250 kN and more on a

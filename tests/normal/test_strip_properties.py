@@ -1,4 +1,4 @@
-"""The strip correction over random poses: history, symmetry, limits and smoothness."""
+"""The strip model over random poses: history, symmetry, limits and smoothness."""
 
 import math
 

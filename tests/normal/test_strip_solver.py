@@ -1,4 +1,4 @@
-"""The strip correction's influence function and linear system, and Hertz's contact by it."""
+"""The strip model's influence function and linear system, and Hertz's contact by it."""
 
 import math
 

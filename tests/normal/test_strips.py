@@ -1,4 +1,4 @@
-"""The strip correction against the complete theory."""
+"""The strip model against the complete theory."""
 
 import functools
 
