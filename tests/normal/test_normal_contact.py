@@ -10,7 +10,6 @@ from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.hertz import MODULUS, hertz
 from tests.helpers.paths import REFERENCE_DATA
-from tests.reference import brute_force, halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
@@ -163,21 +162,6 @@ def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     assert len(error) == 8
     assert np.all(error.mean(axis=0) < mean), error
     assert np.all(error.max(axis=0) < worst), error
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("shift", [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 4.7, 5.0, 5.2, 5.5, 5.8,
-                                   6.0, 6.2, 6.3, 6.4, 6.5])
-def test_half_space_on_positions_from_tread_to_flange(system, shift):
-    """Complete theory on the true gap, millimetre by millimetre; no yaw, 78.5 kN."""
-    track = brute_force.track()
-    truth = halfspace_reference.normal_contact(track, brute_force.rigid_contact(track, shift * 1e-3, 0.0),
-                                               "right", 78.5e3)
-    side = system.evaluate(shift * 1e-3).right
-    # measured 2.6, 6.2, 6.8 % at most
-    assert side.penetration == pytest.approx(truth.penetration, rel=0.039)
-    assert side.area == pytest.approx(truth.area, rel=0.093)
-    assert side.max_pressure == pytest.approx(truth.max_pressure, rel=0.102)
 
 
 def random_poses(count, seed, least_force=1.0):
