@@ -51,7 +51,7 @@ ERRORS = [
     Error("elastic_loads", "outcome = balance_side(tables, work, state, 1, right, height)",
           "outcome = balance_side(tables, work, state, 1, left, height)",
           "the right elastic wheel carries the left one's load", "wheelset"),
-    Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 1e-11", "ELASTIC_SHARP: Final[float] = 1e-8",
+    Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 1e-13", "ELASTIC_SHARP: Final[float] = 1e-8",
           "the elastic equilibrium is found to a tolerance a thousand times wider", "tangent"),
     Error("moment", "resultant[3] += y * force_z - z * force_y", "resultant[3] += y * force_z + z * force_y",
           "a sign in the moment of a patch", "wheelset"),

@@ -6,21 +6,21 @@ eta beside it by a factor times
     Phi(t, e) = integral from -1 to 1 of sqrt(1 - v^2) / sqrt((v - e)^2 + t^2) dv,   t = eta / a,  e = x / a
 
 and a strip that reaches from -T to T on average by the mean of Phi over 0 < t < T.  The table holds both,
-over u = sqrt(t / (1 + t)) and v = e^2 / (1 + e^2), at even steps, for straight lines along both.  Numpy
-alone, because an FMU makes this table on a machine that may have nothing else. Witness in tests: the integral
-itself.
+over sqrt(t / (1 + t)) and e^2 / (1 + e^2): value and slope along the first at even steps, for cubics, with
+straight lines along the second.  Numpy alone, because an FMU makes this table on a machine that may have
+nothing else. Witness in tests: the integral itself.
 """
 
 from functools import lru_cache
 
 import numpy as np
 
-from ..layout import INFLUENCE_CELLS, INFLUENCE_COLUMN, INFLUENCE_COLUMNS, INFLUENCE_MAP
+from ..layout import INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
 
 #: The profile as this many straight pieces, closer together near its ends; error 1e-7.
 PIECES = 100
-#: Where the first node, at t = 0, is taken, of a cell.
-FIRST = 0.25
+#: Step of the slopes, of a cell; and where the first node, at t = 0, is taken, of a cell.
+SLOPE_STEP, FIRST = 1e-3, 0.25
 
 
 def profile():
@@ -59,15 +59,24 @@ def mean_influence(t, e):
 
 
 def map_of(function):
-    """A function of t and e at the nodes, the columns one after the other; both are 0 infinitely far away."""
-    u = np.arange(INFLUENCE_CELLS) / INFLUENCE_CELLS
-    u[0] = FIRST / INFLUENCE_CELLS
-    t = u * u / (1.0 - u * u)
-    v = np.arange(INFLUENCE_COLUMNS) / INFLUENCE_COLUMNS
-    numbers = np.zeros((INFLUENCE_COLUMNS + 2, INFLUENCE_COLUMN))
-    numbers[:INFLUENCE_COLUMNS, :INFLUENCE_CELLS] = function(
-        *np.broadcast_arrays(t[None, :], np.sqrt(v / (1.0 - v))[:, None]))
-    return numbers.ravel()
+    """Value and slope of a function of t and e at the nodes, the columns one after the other."""
+    u = np.arange(INFLUENCE_CELLS + 1) / INFLUENCE_CELLS
+    u[0], u[-1] = FIRST / INFLUENCE_CELLS, 1.0 - 1e-6
+    column = np.arange(INFLUENCE_COLUMNS) / INFLUENCE_COLUMNS
+    step = SLOPE_STEP / INFLUENCE_CELLS
+
+    def along(u):
+        u = np.minimum(u, 1.0 - 1e-6)
+        t = u * u / (1.0 - u * u)
+        return function(*np.broadcast_arrays(t[None, :], np.sqrt(column / (1.0 - column))[:, None]))
+
+    value, before, after = along(u), along(u - step), along(u + step)
+    pairs = np.zeros((INFLUENCE_COLUMNS + 1, INFLUENCE_CELLS + 1, 2))       # infinitely far along x: none
+    pairs[:-1, :, 0] = value
+    pairs[:-1, :, 1] = (after - before) / (2.0 * SLOPE_STEP)
+    pairs[:-1, -1, 0] = 0.0
+    pairs[:-1, -1, 1] = (value[:, -1] - before[:, -1]) / SLOPE_STEP
+    return pairs.ravel()
 
 
 @lru_cache(maxsize=1)

@@ -19,28 +19,53 @@ static inline double strip_influence__apartness(double x, double half_length)
     return square / (square + half_length * half_length);
 }
 
-/* Phi, or its mean, at ``u`` and ``v``, between four nodes; the map begins at number ``first``. */
+/* The cubic between two values with their slopes, at 0 <= ``x`` <= 1. */
+static inline double strip_influence__cubic_through_slopes(double low, double low_slope, double high, double high_slope, double x)
+{
+    double rise;
+    double rest;
+    rise = high - low;
+    rest = 1.0 - x;
+    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)));
+}
+
+/* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
+ *
+ * Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
+ */
 static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v)
 {
     double place;
     int64_t cell;
-    double share;
     double along;
     int64_t column;
+    double share;
     int64_t at;
     int64_t to;
     double low;
+    double low_slope;
     double high;
+    double high_slope;
     place = u * (double)(layout__INFLUENCE_CELLS);
     cell = (int64_t)(place);
-    share = place - (double)(cell);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
     along = v * (double)(layout__INFLUENCE_COLUMNS);
     column = (int64_t)(along);
-    at = first + layout__INFLUENCE_COLUMN * column + cell;
+    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
+    {
+        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
+    }
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)));
-    return low + (along - (double)(column)) * (high - low);
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
+    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))));
+    return strip_influence__cubic_through_slopes(low, low_slope, high, high_slope, place - (double)(cell));
 }
 
 /* The same at v = 0. */
@@ -52,8 +77,12 @@ static inline double strip_influence__middle_influence(array_double_1d tables, i
     double result;
     place = u * (double)(layout__INFLUENCE_CELLS);
     cell = (int64_t)(place);
-    at = first + cell;
-    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + (place - (double)(cell)) * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    at = first + INT64_C(2) * cell;
+    result = strip_influence__cubic_through_slopes((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), place - (double)(cell));
     return result;
 }
 
@@ -131,18 +160,21 @@ static inline int64_t strip_influence__fill_column(array_double_1d tables, array
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        u = strip_influence__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), half);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
-        if (yawed == INT64_C(1))
+        if (i != j)
         {
-            influence = strip_influence__influence_at(tables, table, INT64_C(0), u, strip_influence__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
+            u = strip_influence__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), half);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            if (yawed == INT64_C(1))
+            {
+                influence = strip_influence__influence_at(tables, table, INT64_C(0), u, strip_influence__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
+            }
+            else
+            {
+                /* all middles lie on one line */
+                influence = strip_influence__middle_influence(tables, table, INT64_C(0), u);
+            }
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
         }
-        else
-        {
-            /* all middles lie on one line */
-            influence = strip_influence__middle_influence(tables, table, INT64_C(0), u);
-        }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
     }
     for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
     {

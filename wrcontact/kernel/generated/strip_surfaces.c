@@ -183,6 +183,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
     double before;
     double after;
     double mean;
+    double square;
     double odd;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
@@ -190,7 +191,12 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
         profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
         before = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
         after = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
-        mean = (before + after - 2.0 * z) / (across * across);
+        mean = bend;
+        square = across * across;
+        if (square > 0.0)
+        {
+            mean = (before + after - 2.0 * z) / square;
+        }
         (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
         (*cspan_at(&work, strip + layout__STRIP_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);

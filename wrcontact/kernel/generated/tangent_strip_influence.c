@@ -31,73 +31,111 @@ static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* r
     return 0;
 }
 
+/* Tangent of ``cubic_through_slopes``. */
+static inline int64_t tangent_strip_influence__cubic_through_slopes_t(double* result_0, double* result_1, double low, double low_t, double low_slope, double low_slope_t, double high, double high_t, double high_slope, double high_slope_t, double x, double x_t)
+{
+    double rise_t;
+    double rise;
+    double rest_t;
+    double rest;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    rise_t = high_t - low_t;
+    rise = high - low;
+    rest_t = -x_t;
+    rest = 1.0 - x;
+    v1 = low_slope - rise;
+    v2 = high_slope - rise;
+    v3 = rest * v1 - x * v2;
+    v4 = rise + rest * v3;
+    (*result_0) = low + x * v4;
+    (*result_1) = low_t + (x_t * v4 + x * (rise_t + (rest_t * v3 + rest * (rest_t * v1 + rest * (low_slope_t - rise_t) - (x_t * v2 + x * (high_slope_t - rise_t))))));
+    return 0;
+}
+
 /* Tangent of ``influence_at``. */
-static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double* v7_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
 {
     double v1;
     double place_t;
     double place;
     int64_t cell;
-    double share_t;
-    double share;
     double v2;
     double along_t;
     double along;
     int64_t column;
+    double share_t;
+    double share;
     int64_t at;
     int64_t to;
     double v3;
     double low_t;
     double low;
     double v4;
+    double low_slope_t;
+    double low_slope;
+    double v5;
     double high_t;
     double high;
-    double v5;
     double v6;
+    double high_slope_t;
+    double high_slope;
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
     cell = (int64_t)(place);
-    share_t = place_t;
-    share = place - (double)(cell);
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
     v2 = (double)(layout__INFLUENCE_COLUMNS);
     along_t = v_t * v2;
     along = v * v2;
     column = (int64_t)(along);
-    at = first + layout__INFLUENCE_COLUMN * column + cell;
+    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
+    {
+        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
+    }
+    share_t = along_t;
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
+    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
     low_t = share_t * v3;
     low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v3;
-    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to));
-    high_t = share_t * v4;
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + share * v4;
-    v5 = along - (double)(column);
-    v6 = high - low;
-    (*result_0) = low + v5 * v6;
-    (*result_1) = low_t + (along_t * v6 + v5 * (high_t - low_t));
+    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
+    low_slope_t = share_t * v4;
+    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v4;
+    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    high_t = share_t * v5;
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v5;
+    v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
+    high_slope_t = share_t * v6;
+    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v6;
+    tangent_strip_influence__cubic_through_slopes_t(v7, v7_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
     return 0;
 }
 
 /* Tangent of ``middle_influence``. */
-static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, double* v2_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
 {
     double v1;
     double place_t;
     double place;
     int64_t cell;
     int64_t at;
-    double v2;
-    double v3;
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
     cell = (int64_t)(place);
-    at = first + cell;
-    v2 = place - (double)(cell);
-    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
-    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + v2 * v3;
-    (*result_1) = place_t * v3;
+    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
+    {
+        cell = layout__INFLUENCE_CELLS - INT64_C(1);
+    }
+    at = first + INT64_C(2) * cell;
+    tangent_strip_influence__cubic_through_slopes_t(v2, v2_t, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), 0.0, place - (double)(cell), place_t);
     return 0;
 }
 
@@ -226,28 +264,31 @@ static inline int64_t tangent_strip_influence__fill_column_t(array_double_1d tab
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-        tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
-        u_t = v1_t;
-        u = v1;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
-        if (yawed == INT64_C(1))
+        if (i != j)
         {
-            tangent_strip_influence__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-            tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
-            influence_t = v3_t;
-            influence = v3;
+            v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+            tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
+            u_t = v1_t;
+            u = v1;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            if (yawed == INT64_C(1))
+            {
+                tangent_strip_influence__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+                tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
+                influence_t = v3_t;
+                influence = v3;
+            }
+            else
+            {
+                tangent_strip_influence__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
+                influence_t = v5_t;
+                influence = v5;
+            }
+            v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
         }
-        else
-        {
-            tangent_strip_influence__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
-            influence_t = v5_t;
-            influence = v5;
-        }
-        v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
     }
     for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
     {

@@ -260,22 +260,23 @@ static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d wo
     double v3_t;
     double after_t;
     double after;
+    double mean_t;
+    double mean;
+    double square_t;
+    double square;
     double v4;
     double v5;
     double v6;
-    double mean_t;
-    double mean;
+    double v6_t;
     double v7;
-    double v7_t;
-    double v8;
     double odd_t;
     double odd;
+    double v8;
     double v9;
     double v10;
     double v11;
     double v12;
     double v13;
-    double v14;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
@@ -288,25 +289,31 @@ static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d wo
         tangent_strip_surfaces__profile_within_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
         after_t = v3_t;
         after = v3;
-        v4 = before + after - 2.0 * z;
-        v5 = across * across;
-        v6 = v4 / v5;
-        mean_t = (before_t + after_t - 2.0 * z_t - v6 * (across_t * across + across * across_t)) / v5;
-        mean = v6;
-        tangent_longitudinal_curvature__longitudinal_curvature_t(&v7, &v7_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
-        (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v7_t;
-        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v7;
-        v8 = after - before;
+        mean_t = bend_t;
+        mean = bend;
+        square_t = across_t * across + across * across_t;
+        square = across * across;
+        if (square > 0.0)
+        {
+            v4 = before + after - 2.0 * z;
+            v5 = v4 / square;
+            mean_t = (before_t + after_t - 2.0 * z_t - v5 * square_t) / square;
+            mean = v5;
+        }
+        tangent_longitudinal_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
+        (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v6_t;
+        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v6;
+        v7 = after - before;
         odd_t = 0.5 * (after_t - before_t) - (slope_t * across + slope * across_t);
-        odd = 0.5 * v8 - slope * across;
-        v9 = 1.0 + slope * slope;
-        v10 = sqrt(v9);
+        odd = 0.5 * v7 - slope * across;
+        v8 = 1.0 + slope * slope;
+        v9 = sqrt(v8);
+        v10 = v9 * away;
         v11 = v10 * away;
         v12 = v11 * away;
-        v13 = v12 * away;
-        v14 = odd / v13;
-        (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = (odd_t - v14 * (((tangent_rates__root_rate(v10, slope_t * slope + slope * slope_t) * away + v10 * away_t) * away + v11 * away_t) * away + v12 * away_t)) / v13;
-        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v14;
+        v13 = odd / v12;
+        (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = (odd_t - v13 * (((tangent_rates__root_rate(v9, slope_t * slope + slope * slope_t) * away + v9 * away_t) * away + v10 * away_t) * away + v11 * away_t)) / v12;
+        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v13;
     }
     return INT64_C(0);
 }

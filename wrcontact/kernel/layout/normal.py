@@ -101,12 +101,11 @@ class StripProblem:
     influences: Influences          # F_ij, displacement of the middle of i for y_j = 1; eq. (S2)
 
 
-INFLUENCE_CELLS: Final[int] = 128    # of the table of influences along u = sqrt(t / (1 + t)),
-INFLUENCE_COLUMNS: Final[int] = 48   # and along v = e^2 / (1 + e^2)
-#: Numbers of a column, one at each node, and of a map. Both have one more than their last node, for u = 1 and
-#: v = 1.
-INFLUENCE_COLUMN: Final[int] = INFLUENCE_CELLS + 2
-INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 2)
+INFLUENCE_CELLS: Final[int] = 48     # of the table of influences along sqrt(t / (1 + t)),
+INFLUENCE_COLUMNS: Final[int] = 48   # and along e^2 / (1 + e^2)
+#: Numbers of a column, value and slope at each node, and of a map.
+INFLUENCE_COLUMN: Final[int] = 2 * (INFLUENCE_CELLS + 1)
+INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 1)
 
 
 @record

@@ -24,26 +24,45 @@ def apartness(x: float, half_length: float):
     return square / (square + half_length * half_length)
 
 
+def cubic_through_slopes(low: float, low_slope: float, high: float, high_slope: float, x: float):
+    """The cubic between two values with their slopes, at 0 <= ``x`` <= 1."""
+    rise = high - low
+    rest = 1.0 - x
+    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)))
+
+
 def influence_at(table: InfluenceTable, first: int, u: float, v: float):
-    """Phi, or its mean, at ``u`` and ``v``, between four nodes; the map begins at number ``first``."""
+    """Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
+
+    Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
+    """
     place = u * float(INFLUENCE_CELLS)
     cell = int(place)
-    share = place - float(cell)
+    if cell > INFLUENCE_CELLS - 1:
+        cell = INFLUENCE_CELLS - 1
     along = v * float(INFLUENCE_COLUMNS)
     column = int(along)
-    at = first + INFLUENCE_COLUMN * column + cell
+    if column > INFLUENCE_COLUMNS - 1:
+        column = INFLUENCE_COLUMNS - 1
+    share = along - float(column)
+    at = first + INFLUENCE_COLUMN * column + 2 * cell
     to = at + INFLUENCE_COLUMN
-    low = table.numbers[at] + share * (table.numbers[at + 1] - table.numbers[at])
-    high = table.numbers[to] + share * (table.numbers[to + 1] - table.numbers[to])
-    return low + (along - float(column)) * (high - low)
+    low = table.numbers[at] + share * (table.numbers[to] - table.numbers[at])
+    low_slope = table.numbers[at + 1] + share * (table.numbers[to + 1] - table.numbers[at + 1])
+    high = table.numbers[at + 2] + share * (table.numbers[to + 2] - table.numbers[at + 2])
+    high_slope = table.numbers[at + 3] + share * (table.numbers[to + 3] - table.numbers[at + 3])
+    return cubic_through_slopes(low, low_slope, high, high_slope, place - float(cell))
 
 
 def middle_influence(table: InfluenceTable, first: int, u: float):
     """The same at v = 0."""
     place = u * float(INFLUENCE_CELLS)
     cell = int(place)
-    at = first + cell
-    return table.numbers[at] + (place - float(cell)) * (table.numbers[at + 1] - table.numbers[at])
+    if cell > INFLUENCE_CELLS - 1:
+        cell = INFLUENCE_CELLS - 1
+    at = first + 2 * cell
+    return cubic_through_slopes(table.numbers[at], table.numbers[at + 1], table.numbers[at + 2],
+                                table.numbers[at + 3], place - float(cell))
 
 
 def mean_at(table: InfluenceTable, strip: Strip, distance: float, v: float):
@@ -84,14 +103,15 @@ def fill_column(table: InfluenceTable, problem: StripProblem, j: int, yawed: int
     half = other.half_length
     for i in range(problem.count):
         strip = strips[i]
-        u = nearness(fabs(strip.place - other.place), half)
-        problem.near[i][j] = u
-        if yawed == 1:
-            influence = influence_at(table, 0, u, apartness(strip.x + strip.lead - x, half))
-        else:
-            # all middles lie on one line
-            influence = middle_influence(table, 0, u)
-        problem.influences[i][j] = influence * (strip.cos * other.cos + strip.sin * other.sin)
+        if i != j:
+            u = nearness(fabs(strip.place - other.place), half)
+            problem.near[i][j] = u
+            if yawed == 1:
+                influence = influence_at(table, 0, u, apartness(strip.x + strip.lead - x, half))
+            else:
+                # all middles lie on one line
+                influence = middle_influence(table, 0, u)
+            problem.influences[i][j] = influence * (strip.cos * other.cos + strip.sin * other.sin)
     for i in range(j - 1, j + 2, 2):
         if i >= 0 and i < problem.count:
             strip = strips[i]

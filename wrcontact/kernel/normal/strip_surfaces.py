@@ -155,7 +155,10 @@ def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
         z, slope, bend = height_slope_bend(tables.wheel, strip.wheel)
         before = profile_within(tables, strip.wheel - across)
         after = profile_within(tables, strip.wheel + across)
-        mean = (before + after - 2.0 * z) / (across * across)
+        mean = bend
+        square = across * across
+        if square > 0.0:
+            mean = (before + after - 2.0 * z) / square
         strip.A = 0.5 * longitudinal_curvature(tables, place, z, slope, mean)
         odd = 0.5 * (after - before) - slope * across
         strip.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)

@@ -36,9 +36,10 @@ from .trial import balance_both, depth_outcome, estimate_approach, turn_near, tu
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 25
-#: Height and roll are found when either wheel moves by less [m], and this move is still made: with Broyden's
-#: derivatives it leaves less than 1e-13 m, so that differences between poses follow their derivatives.
-ELASTIC_SHARP: Final[float] = 1e-11
+#: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
+#: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
+#: to 1e-4.
+ELASTIC_SHARP: Final[float] = 1e-13
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one, and leaves out the patches [m].
