@@ -5,10 +5,21 @@ point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching
 between them are one region (deep_points.MERGE).
 """
 
-from math import fabs
+from math import fabs, sqrt
 from typing import Final
 
-from ..layout import OVERLAP_LIMIT, Frame, Overlap, Place, Samples, SideSearch, State, Stretch, Tables
+from ..layout import (
+    OVERLAP_LIMIT,
+    Frame,
+    Overlap,
+    Place,
+    RisePoint,
+    Samples,
+    SideSearch,
+    State,
+    Stretch,
+    Tables,
+)
 from ..search.bounds import bend_bounds, only_rises_or_falls
 from ..search.raster import node_below
 from ..surface.locus import outline_point
@@ -26,6 +37,8 @@ OVERLAP_PART: Final[int] = 2
 #: Bounds of the bend along the rail's normals are wider than those straight down by this share of the wheel's
 #: bend: an overlap of 100 micrometres over a rail of 13 mm radius, and more.
 NORMAL_SHARE: Final[float] = 0.01
+#: Cuts of a part while the tangents of the rise leave room for a hump.
+HUMP_ITERATIONS: Final[int] = 20
 #: The deepest point beside the smallest gap is sought in steps that double from the first one on, up to the
 #: other [m].
 FIRST_STEP: Final[float] = 1e-7
@@ -58,23 +71,24 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
 def list_in_cell(tables: Tables, frame: Frame, overlap: Overlap, place: Place, entry: int):
     """List the deepest points between the sample ``entry`` and the next one."""
     samples = overlap.samples
-    stretch = overlap.stretch
-    stretch.first = samples.rise[entry]
-    stretch.last = samples.rise[entry + 1]
+    rise = samples.rise[entry]
+    following = samples.rise[entry + 1]
     hidden = may_turn(tables, samples, place, entry)
-    if hidden == 0 and not (stretch.first > 0.0 and stretch.last <= 0.0):
+    if hidden == 0 and not (rise > 0.0 and following <= 0.0):
         return 0
     open_stretch(tables, overlap, place, entry)
+    stretch = overlap.stretch
     finest = OVERLAP_PART
     listed = 0
     if hidden == 1:
         # the samples are straight down: what counts is the rise along the normal
         widen_bounds(tables, overlap, place, entry)
-        stretch.first = normal_rise(tables, frame, overlap, place, stretch.low, samples.wheel[entry])
-        stretch.last = normal_rise(tables, frame, overlap, place, stretch.high, samples.wheel[entry + 1])
+        measure_rise(tables, frame, overlap, place, stretch.first, samples.wheel[entry])
+        measure_rise(tables, frame, overlap, place, stretch.last, samples.wheel[entry + 1])
         finest = HIDDEN_PART
     elif stretch.least > 0.0:
-        listed = list_turning_point(tables, frame, overlap, place, stretch.low, stretch.high, stretch.wheel)
+        listed = list_turning_point(tables, frame, overlap, place, stretch.first.x, stretch.last.x,
+                                    stretch.wheel)
     else:
         widen_bounds(tables, overlap, place, entry)
     if listed == 0:
@@ -90,23 +104,41 @@ def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
     down."""
     samples = overlap.samples
     stretch = overlap.stretch
-    stretch.low = samples.rail[entry]
-    stretch.high = samples.rail[entry + 1]
+    set_point(stretch.first, samples.rail[entry], samples.rise[entry], 0.0)
+    set_point(stretch.last, samples.rail[entry + 1], samples.rise[entry + 1], 0.0)
     stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
     node = node_below(tables.scan, samples.wheel[entry])
-    stretch.least, stretch.most = bend_bounds(tables.scan, place, node, stretch.low)
+    stretch.least, stretch.most = bend_bounds(tables.scan, place, node, stretch.first.x)
     return 0
 
 
-def normal_rise(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x: float, y: float):
-    """Rise of the overlap along the normal at rail abscissa ``x`` [m], sought from the wheel's ``y`` [m]; 0
-    where there is none."""
-    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, overlap.height,
+def copy_rise(point: RisePoint, copy: RisePoint):
+    """Write ``point`` to ``copy``."""
+    set_point(copy, point.x, point.rise, point.rate)
+    return 0
+
+
+def set_point(point: RisePoint, x: float, rise: float, rate: float):
+    """Write a place [m] with its rise [-] and the derivative of that [1/m]."""
+    point.x = x
+    point.rise = rise
+    point.rate = rate
+    return 0
+
+
+def measure_rise(tables: Tables, frame: Frame, overlap: Overlap, place: Place, point: RisePoint, y: float):
+    """Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
+    is none."""
+    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, point.x, y, overlap.height,
                                                          LINE_SHARP)
-    if found == 0:
-        rise = 0.0
-    return rise
+    point.rise = 0.0
+    point.rate = 0.0
+    if found == 1:
+        z_rail, slope = height_slope(tables.rail, point.x)
+        point.rise = rise
+        point.rate = bend * sqrt(1.0 + slope * slope)
+    return 0
 
 
 def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
@@ -119,11 +151,11 @@ def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
     stretch = overlap.stretch
     node = node_below(scan, overlap.samples.wheel[entry])
     if node > 0:
-        low, high = bend_bounds(scan, place, node - 1, stretch.low)
+        low, high = bend_bounds(scan, place, node - 1, stretch.first.x)
         stretch.least = min(stretch.least, low)
         stretch.most = max(stretch.most, high)
     if node + 2 < scan.count:
-        low, high = bend_bounds(scan, place, node + 1, stretch.low)
+        low, high = bend_bounds(scan, place, node + 1, stretch.first.x)
         stretch.least = min(stretch.least, low)
         stretch.most = max(stretch.most, high)
     share = NORMAL_SHARE * scan.nodes[node].steepest_bends[0]
@@ -164,12 +196,12 @@ def widen_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
     straight down, and their slope may change its sign a little before the overlap along the normal has its
     maximum."""
     stretch = overlap.stretch
-    step = stretch.high - stretch.low
-    low = bracket_end(tables, frame, overlap, place, stretch.low, -step)
-    high = bracket_end(tables, frame, overlap, place, stretch.high, step)
+    step = stretch.last.x - stretch.first.x
+    low = bracket_end(tables, frame, overlap, place, stretch.first.x, -step)
+    high = bracket_end(tables, frame, overlap, place, stretch.last.x, step)
     stretch.width *= (high - low) / step
-    stretch.low = low
-    stretch.high = high
+    stretch.first.x = low
+    stretch.last.x = high
     return 0
 
 
@@ -196,41 +228,87 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
     several, of which a bracket by itself would end at either.
 
     It is halved until the bounds show that the overlap has one largest value at most on each part, or a part
-    is ``finest`` of the PARTS.
+    is ``finest`` of the PARTS.  There the tangents of the rise show what may still be hidden.
     """
     stretch = overlap.stretch
-    each = (stretch.high - stretch.low) / float(PARTS)
-    before = stretch.first
+    before = stretch.before
+    after = stretch.after
+    each = (stretch.last.x - stretch.first.x) / float(PARTS)
+    copy_rise(stretch.first, before)
     start = 0
     size = PARTS
     while start < PARTS:
         stop = start + size
-        after = stretch.last
         if stop < PARTS:
-            x = stretch.low + each * float(stop)
-            after = normal_rise(tables, frame, overlap, place, x, stretch.wheel)
-        if size > finest and turns_once(stretch, float(size) / float(PARTS), before, after) == 0:
+            after.x = stretch.first.x + each * float(stop)
+            measure_rise(tables, frame, overlap, place, after, stretch.wheel)
+        else:
+            copy_rise(stretch.last, after)
+        once = turns_once(stretch, float(size) / float(PARTS))
+        if size > finest and once == 0:
             size = size // 2
         else:
-            if before > 0.0 and after <= 0.0:
-                list_turning_point(tables, frame, overlap, place, stretch.low + each * float(start),
-                                   stretch.low + each * float(stop), stretch.wheel)
-            before = after
+            if before.rise > 0.0 and after.rise <= 0.0:
+                list_turning_point(tables, frame, overlap, place, before.x, after.x, stretch.wheel)
+            elif once == 0:
+                list_hidden_point(tables, frame, overlap, place)
+            copy_rise(after, before)
             start = stop
             while start < PARTS and size < PARTS and start % (2 * size) == 0:
                 size = 2 * size
     return 0
 
 
-def turns_once(stretch: Stretch, share: float, before: float, after: float):
-    """1 if the overlap certainly has one largest value at most on a ``share`` of the stretch, at the ends of
-    which it rises by ``before`` and ``after`` [-], else 0."""
+def turns_once(stretch: Stretch, share: float):
+    """1 if the overlap certainly has one largest value at most on the open part, a ``share`` of the stretch,
+    else 0."""
+    before = stretch.before.rise
+    after = stretch.after.rise
     answer = 0
     if stretch.least > 0.0:
         answer = 1
     elif before * after > 0.0:
         answer = only_rises_or_falls(stretch.least, stretch.most, share * stretch.width, -before, -after)
     return answer
+
+
+def list_hidden_point(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
+    """List the deepest point of a hump on the open part if the overlap rises, or falls, at both ends of it.
+
+    A rise that bends one way, or has one kink, is nowhere beyond its tangents at both ends.  While those
+    meet beyond zero, the rise is measured where they meet, and the part ends there.
+    """
+    stretch = overlap.stretch
+    low = stretch.low
+    high = stretch.high
+    middle = stretch.middle
+    copy_rise(stretch.before, low)
+    copy_rise(stretch.after, high)
+    sign = 1.0
+    if low.rise < 0.0:
+        sign = -1.0
+    for i in range(HUMP_ITERATIONS):
+        if not (low.rise * high.rise > 0.0 and sign * low.rate < 0.0 and sign * high.rate > 0.0):
+            return 0
+        width = high.x - low.x
+        step = (low.rise - high.rise + high.rate * width) / (high.rate - low.rate)
+        if sign * (low.rise + low.rate * step) > 0.0:
+            return 0
+        if not (step > 0.0 and step < width):
+            step = 0.5 * width
+        middle.x = low.x + step
+        measure_rise(tables, frame, overlap, place, middle, stretch.wheel)
+        if sign * middle.rise < 0.0:
+            if sign > 0.0:
+                list_turning_point(tables, frame, overlap, place, low.x, middle.x, stretch.wheel)
+            else:
+                list_turning_point(tables, frame, overlap, place, middle.x, high.x, stretch.wheel)
+            return 0
+        if sign * middle.rate < 0.0:
+            copy_rise(middle, low)
+        else:
+            copy_rise(middle, high)
+    return 0
 
 
 def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch):

@@ -24,6 +24,9 @@ DEEP_ITERATIONS: Final[int] = 60
 #: Slope of the overlap below which it has changed sign there [-]: standard profiles are joined with slopes
 #: that differ by up to 1e-5.
 LEVEL_RISE: Final[float] = 1e-4
+#: And below which it is zero but for rounding: a bracket of which one end never moved holds a turning point
+#: only then.
+ZERO_RISE: Final[float] = 1e-9
 
 
 def limited(step: float, limit: float):
@@ -39,7 +42,7 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
                   height: float, sign: float):
     """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
     abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
-    value: 1 if the slope changes its sign there, else 0.
+    value: 1 if the slope changes its sign there, else 0: it may do so a little beyond the bracket.
 
     The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
     Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
@@ -49,14 +52,18 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
     overlap = 0.0
     rise = 1.0
     before = 0.0
+    moved_low = 0
+    moved_high = 0
     for i in range(DEEP_ITERATIONS):
         y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height, LINE_SHARP)
         if found == 0:
             return x, y, overlap, 0
         if sign * rise > 0.0:
             low = x
+            moved_low = 1
         else:
             high = x
+            moved_high = 1
         following = 0.5 * (low + high)
         if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
             z_rail, slope = height_slope(tables.rail, x)
@@ -68,6 +75,6 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
         x = following
         before = fabs(rise)
     turned = 0
-    if fabs(rise) < LEVEL_RISE:
+    if fabs(rise) < ZERO_RISE or (fabs(rise) < LEVEL_RISE and moved_low * moved_high == 1):
         turned = 1
     return x, y, overlap, turned

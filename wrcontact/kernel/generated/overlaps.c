@@ -46,13 +46,15 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
 /* List the deepest points between the sample ``entry`` and the next one. */
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
 {
+    double rise;
+    double following;
     int64_t hidden;
     int64_t finest;
     int64_t listed;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
     hidden = overlaps__may_turn(work, tables, place, entry);
-    if ((hidden == INT64_C(0)) && (!(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) <= 0.0))))
+    if ((hidden == INT64_C(0)) && (!((rise > 0.0) && (following <= 0.0))))
     {
         return INT64_C(0);
     }
@@ -63,13 +65,13 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_do
     {
         /* the samples are straight down: what counts is the rise along the normal */
         overlaps__widen_bounds(work, tables, place, entry);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST)) = overlaps__normal_rise(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST)) = overlaps__normal_rise(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+        overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
         finest = overlaps__HIDDEN_PART;
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
     {
-        listed = overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        listed = overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
     }
     else
     {
@@ -93,31 +95,53 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_do
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
 {
     int64_t node;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1))));
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
     node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
+    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
     return INT64_C(0);
 }
 
-/* Rise of the overlap along the normal at rail abscissa ``x`` [m], sought from the wheel's ``y`` [m]; 0
- * where there is none.
+/* Write ``point`` to ``copy``. */
+static OUT_OF_LINE int64_t overlaps__copy_rise(array_double_1d work, int64_t point, int64_t copy)
+{
+    overlaps__set_point(work, copy, (*cspan_at(&work, point + layout__RISE_POINT_X)), (*cspan_at(&work, point + layout__RISE_POINT_RISE)), (*cspan_at(&work, point + layout__RISE_POINT_RATE)));
+    return INT64_C(0);
+}
+
+/* Write a place [m] with its rise [-] and the derivative of that [1/m]. */
+static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate)
+{
+    (*cspan_at(&work, point + layout__RISE_POINT_X)) = x;
+    (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = rise;
+    (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = rate;
+    return INT64_C(0);
+}
+
+/* Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
+ * is none.
  */
-static OUT_OF_LINE double overlaps__normal_rise(array_double_1d work, array_double_1d tables, int64_t place, double x, double y)
+static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, double y)
 {
     double depth;
+    double rise;
     double bend;
     double curvature;
     int64_t found;
-    double rise;
-    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
-    if (found == INT64_C(0))
+    double z_rail;
+    double slope;
+    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = 0.0;
+    (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = 0.0;
+    if (found == INT64_C(1))
     {
-        rise = 0.0;
+        profile_table__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
+        (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = rise;
+        (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = bend * sqrt(1.0 + slope * slope);
     }
-    return rise;
+    return INT64_C(0);
 }
 
 /* Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
@@ -136,13 +160,13 @@ static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_do
     node = raster__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
     if (node > INT64_C(0))
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
     }
     if (node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)));
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
     }
@@ -209,12 +233,12 @@ static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_d
     double step;
     double low;
     double high;
-    step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW));
-    low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)), -step);
-    high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)), step);
+    step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X));
+    low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), -step);
+    high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), step);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) *= (high - low) / step;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) = low;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) = high;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) = low;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) = high;
     return INT64_C(0);
 }
 
@@ -260,41 +284,47 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
  * several, of which a bracket by itself would end at either.
  *
  * It is halved until the bounds show that the overlap has one largest value at most on each part, or a part
- * is ``finest`` of the PARTS.
+ * is ``finest`` of the PARTS.  There the tangents of the rise show what may still be hidden.
  */
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest)
 {
     double each;
-    double before;
     int64_t start;
     int64_t size;
     int64_t stop;
-    double after;
-    double x;
-    each = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW))) / (double)(overlaps__PARTS);
-    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST));
+    int64_t once;
+    each = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X))) / (double)(overlaps__PARTS);
+    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE);
     start = INT64_C(0);
     size = overlaps__PARTS;
     while(start < overlaps__PARTS)
     {
         stop = start + size;
-        after = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST));
         if (stop < overlaps__PARTS)
         {
-            x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(stop);
-            after = overlaps__normal_rise(work, tables, place, x, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) + each * (double)(stop);
+            overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
         }
-        if ((size > finest) && (overlaps__turns_once(work, (double)(size) / (double)(overlaps__PARTS), before, after) == INT64_C(0)))
+        else
+        {
+            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER);
+        }
+        once = overlaps__turns_once(work, (double)(size) / (double)(overlaps__PARTS));
+        if ((size > finest) && (once == INT64_C(0)))
         {
             size = py_floor_div_int64_t(size, INT64_C(2));
         }
         else
         {
-            if ((before > 0.0) && (after <= 0.0))
+            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE)) <= 0.0))
             {
-                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(start), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW)) + each * (double)(stop), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
             }
-            before = after;
+            else if (once == INT64_C(0))
+            {
+                overlaps__list_hidden_point(work, tables, place);
+            }
+            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE);
             start = stop;
             while((start < overlaps__PARTS) && (size < overlaps__PARTS) && (pyc_modulo(start, (INT64_C(2) * size)) == INT64_C(0)))
             {
@@ -305,12 +335,16 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array
     return INT64_C(0);
 }
 
-/* 1 if the overlap certainly has one largest value at most on a ``share`` of the stretch, at the ends of
- * which it rises by ``before`` and ``after`` [-], else 0.
+/* 1 if the overlap certainly has one largest value at most on the open part, a ``share`` of the stretch,
+ * else 0.
  */
-static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double share, double before, double after)
+static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double share)
 {
+    double before;
+    double after;
     int64_t answer;
+    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE));
+    after = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE));
     answer = INT64_C(0);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
     {
@@ -321,6 +355,66 @@ static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double sha
         answer = bounds__only_rises_or_falls((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)), -before, -after);
     }
     return answer;
+}
+
+/* List the deepest point of a hump on the open part if the overlap rises, or falls, at both ends of it.
+ *
+ * A rise that bends one way, or has one kink, is nowhere beyond its tangents at both ends.  While those
+ * meet beyond zero, the rise is measured where they meet, and the part ends there.
+ */
+static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, array_double_1d tables, int64_t place)
+{
+    double sign;
+    int64_t i;
+    double width;
+    double step;
+    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW);
+    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH);
+    sign = 1.0;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) < 0.0)
+    {
+        sign = -1.0;
+    }
+    for (i = INT64_C(0); i < overlaps__HUMP_ITERATIONS; i += INT64_C(1))
+    {
+        if (!(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE)) > 0.0) && (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)) < 0.0) && (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) > 0.0)))
+        {
+            return INT64_C(0);
+        }
+        width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X));
+        step = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) * width) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)));
+        if (sign * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)) * step) > 0.0)
+        {
+            return INT64_C(0);
+        }
+        if (!((step > 0.0) && (step < width)))
+        {
+            step = 0.5 * width;
+        }
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)) + step;
+        overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RISE)) < 0.0)
+        {
+            if (sign > 0.0)
+            {
+                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+            }
+            else
+            {
+                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+            }
+            return INT64_C(0);
+        }
+        if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RATE)) < 0.0)
+        {
+            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW);
+        }
+        else
+        {
+            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH);
+        }
+    }
+    return INT64_C(0);
 }
 
 /* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:

@@ -30,7 +30,7 @@ static OUT_OF_LINE double touching__limited(double step, double limit)
 
 /* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
  * abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
- * value: 1 if the slope changes its sign there, else 0.
+ * value: 1 if the slope changes its sign there, else 0: it may do so a little beyond the bracket.
  *
  * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
  * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
@@ -42,6 +42,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     double overlap;
     double rise;
     double before;
+    int64_t moved_low;
+    int64_t moved_high;
     int64_t i;
     double bend;
     double curvature;
@@ -55,6 +57,8 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     overlap = 0.0;
     rise = 1.0;
     before = 0.0;
+    moved_low = INT64_C(0);
+    moved_high = INT64_C(0);
     for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
     {
         pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
@@ -69,10 +73,12 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
         if (sign * rise > 0.0)
         {
             low = x;
+            moved_low = INT64_C(1);
         }
         else
         {
             high = x;
+            moved_high = INT64_C(1);
         }
         following = 0.5 * (low + high);
         if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
@@ -92,7 +98,7 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
         before = fabs(rise);
     }
     turned = INT64_C(0);
-    if (fabs(rise) < touching__LEVEL_RISE)
+    if ((fabs(rise) < touching__ZERO_RISE) || ((fabs(rise) < touching__LEVEL_RISE) && (moved_low * moved_high == INT64_C(1))))
     {
         turned = INT64_C(1);
     }

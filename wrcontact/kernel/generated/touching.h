@@ -23,6 +23,7 @@
 static const double touching__DEEP_SHARP = 1e-13;
 static const int64_t touching__DEEP_ITERATIONS = INT64_C(60);
 static const double touching__LEVEL_RISE = 0.0001;
+static const double touching__ZERO_RISE = 1e-09;
 
 static OUT_OF_LINE double touching__limited(double step, double limit);
 static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);

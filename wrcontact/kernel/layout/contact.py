@@ -147,15 +147,27 @@ class Samples:
 
 
 @record
+class RisePoint:
+    """The rise of the overlap at a place of the rail."""
+
+    x: float                        # rail abscissa [m]
+    rise: float                     # derivative of the overlap along the rail [-]
+    rate: float                     # its own derivative by x [1/m]; 0 where it was not measured
+
+
+@record
 class Stretch:
     """A stretch of the rail on which deepest points are sought."""
 
-    low: float                      # rail abscissae of its ends [m]
-    high: float
+    first: RisePoint
+    last: RisePoint
+    before: RisePoint               # ends of the part that is open
+    after: RisePoint
+    low: RisePoint                  # of the part of it where a hump is sought
+    high: RisePoint
+    middle: RisePoint
     wheel: float                    # a wheel abscissa that belongs to it [m]
     width: float                    # how far the wheel's reach [m]
-    first: float                    # rise of the overlap at its ends [-]
-    last: float
     least: float                    # bounds of the bend of the gap [1/m]
     most: float
 
