@@ -20,9 +20,11 @@ static inline int64_t strip_zones__find_zones(array_double_1d work, array_double
     return INT64_C(0);
 }
 
-/* The zone of a region whose frame is open; without width where it is too shallow. */
+/* The zone of a region whose frame is open; without width where nothing overlaps. */
 static inline int64_t strip_zones__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest)
 {
+    double depth;
+    double shallow;
     double level;
     double bend;
     double estimate;
@@ -30,7 +32,13 @@ static inline int64_t strip_zones__measure_zone(array_double_1d work, array_doub
     double low;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    level = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest;
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    shallow = strip_zones__SHALLOW * deepest;
+    if (shallow > strip_zones__OWN_SHALLOW * depth)
+    {
+        shallow = strip_zones__OWN_SHALLOW * depth;
+    }
+    level = depth - shallow;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {

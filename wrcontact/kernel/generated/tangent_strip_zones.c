@@ -23,6 +23,10 @@ static inline int64_t tangent_strip_zones__find_zones_t(array_double_1d work, ar
 /* Tangent of ``measure_zone``. */
 static inline int64_t tangent_strip_zones__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t)
 {
+    double depth_t;
+    double depth;
+    double shallow_t;
+    double shallow;
     double level_t;
     double level;
     double bend_t;
@@ -44,8 +48,17 @@ static inline int64_t tangent_strip_zones__measure_zone_t(array_double_1d work, 
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    level_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest_t;
-    level = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - strip_zones__SHALLOW * deepest;
+    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    shallow_t = strip_zones__SHALLOW * deepest_t;
+    shallow = strip_zones__SHALLOW * deepest;
+    if (shallow > strip_zones__OWN_SHALLOW * depth)
+    {
+        shallow_t = strip_zones__OWN_SHALLOW * depth_t;
+        shallow = strip_zones__OWN_SHALLOW * depth;
+    }
+    level_t = depth_t - shallow_t;
+    level = depth - shallow;
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)

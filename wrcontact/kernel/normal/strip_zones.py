@@ -7,8 +7,10 @@ from ..contact.planes import enter_plane, leave_plane
 from ..contact.zone_width import zone_width
 from ..layout import Contact, Region, State, StripZone, Tables
 
-#: A zone ends where the overlap has fallen to this share of the deepest one.
+#: A zone ends where the overlap has fallen to this share of the deepest one, or of its own: far from the
+#: deepest, a region is loaded long before it is so deep.
 SHALLOW: Final[float] = 0.03
+OWN_SHALLOW: Final[float] = 0.25
 
 
 def find_zones(tables: Tables, contact: Contact, state: State, count: int, deepest: float):
@@ -23,10 +25,14 @@ def find_zones(tables: Tables, contact: Contact, state: State, count: int, deepe
 
 def measure_zone(tables: Tables, contact: Contact, state: State, region: Region, zone: StripZone,
                  deepest: float):
-    """The zone of a region whose frame is open; without width where it is too shallow."""
+    """The zone of a region whose frame is open; without width where nothing overlaps."""
     zone.start = region.offset + region.station
     zone.stop = zone.start
-    level = contact.frame.depth - SHALLOW * deepest
+    depth = contact.frame.depth
+    shallow = SHALLOW * deepest
+    if shallow > OWN_SHALLOW * depth:
+        shallow = OWN_SHALLOW * depth
+    level = depth - shallow
     zone.level = 0.0
     if level > 0.0:
         zone.level = level
