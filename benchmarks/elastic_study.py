@@ -59,11 +59,12 @@ def trials(model, load):
 
 
 def largest_roll_step(yaw, step=1e-6):
-    """Largest step of the roll [rad] from -8 to 8 mm, and where [mm]."""
+    """Largest step of the roll [rad] from -8 to 8 mm, and how far from the middle [mm]: at both signs of the
+    shift it is the same but for rounding."""
     shift = np.arange(-8e-3, 8e-3, step)
     table = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     steps = np.abs(np.diff(table.roll))
-    return steps.max(), 1e3 * shift[np.argmax(steps)]
+    return steps.max(), 1e3 * abs(shift[np.argmax(steps)] + 0.5 * step)
 
 
 def all_trials():

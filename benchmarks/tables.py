@@ -216,8 +216,8 @@ def trajectory_table(parts):
 
 
 def roll_table(parts):
-    return grid(["yaw", "largest change of the roll in 1 µm [µrad]", "at [mm]"],
-                [[name, figure(row["step"]), f"{row['at']:.3f}"]
+    return grid(["yaw", "largest change of the roll in 1 µm [µrad]", "at, either side [mm]"],
+                [[name, figure(row["step"]), f"{row['at']:.4f}"]
                  for name, row in parts["elastic_roll"]["rows"].items()])
 
 

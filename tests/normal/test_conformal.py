@@ -31,10 +31,10 @@ def errors_at(model, row):
 @pytest.mark.parametrize("model, mean, worst", [
     # the reference's grid is good to 0.2 % in N and 1 % in area; at 2 degrees of yaw another half-space
     # theory finds 2 % more area than the reference
-    # measured 0.20, 1.26, 1.32, 0.27, 0.33 % in the mean, 0.55, 4.3, 5.3, 0.63, 1.3 % at worst: pressures are
+    # measured 0.20, 1.17, 1.33, 0.27, 0.33 % in the mean, 0.55, 3.7, 5.3, 0.63, 1.3 % at worst: pressures are
     # worse than with strips that do not reach over the whole overlap (0.84 and 3.9 %), most at 6.2 mm and
     # 1 degree of yaw; 28 strips have 0.87 and 3.3 %
-    ("analyn_strip", (0.0026, 0.0164, 0.0172, 0.0035, 0.0043), (0.0083, 0.065, 0.080, 0.0095, 0.0150)),
+    ("analyn_strip", (0.0026, 0.0138, 0.0172, 0.0034, 0.0039), (0.0083, 0.0555, 0.080, 0.0095, 0.0150)),
     ("analyn", (0.03, 0.07, 0.035, 0.03, 0.02), (0.06, 0.20, 0.08, 0.07, 0.06)),
 ])
 def test_complete_theory_on_patches_that_turn(model, mean, worst):
@@ -61,7 +61,7 @@ def test_an_elastic_wheel_is_a_compliant_one_where_it_stands(shift, yaw, force):
     # the complete theory on a curved reference, at the wheel moved straight down from where it just touches
     # until it carries the force; the sinking times the cosine of the contact angle. Grid of 60 x 40 cells
     # over the patch, areas by cells. The half-space has -0.6 and -0.4 % of area in the first and the last;
-    # strips have 5.8 % too much in the last, which lies in two places (2.1 % with 48 strips)
+    # strips have 4.7 % too much in the last, which lies in two places
     (6.24e-3, 0.0, 120e3, 115.1e-6, 154e-6, 1754e6),
     (6.25e-3, 0.0, 78.5e3, 79.0e-6, 137e-6, 1330e6),
     (5.85e-3, 2.0, 120e3, 146.1e-6, 64.7e-6, 3214e6),
@@ -69,7 +69,7 @@ def test_an_elastic_wheel_is_a_compliant_one_where_it_stands(shift, yaw, force):
 def test_a_rigid_wheel_sinks_straight_down(shift, yaw, force, penetration, area, pressure):
     side = system_of().evaluate(shift, math.radians(yaw), force).right
     assert side.penetration == pytest.approx(penetration, rel=0.01)
-    assert side.area == pytest.approx(area, rel=0.03 if yaw == 0 else 0.076)
+    assert side.area == pytest.approx(area, rel=0.03 if yaw == 0 else 0.055)
     assert side.max_pressure == pytest.approx(pressure, rel=0.04)
 
 

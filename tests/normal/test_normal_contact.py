@@ -138,9 +138,9 @@ def test_complete_theory_on_the_planar_gap(system, case):
 @pytest.mark.parametrize("model, mean, worst", [
     # measured 0.71, 1.29, 0.72 % and 1.29, 6.48, 3.21 %
     ("analyn", (0.0092, 0.0168, 0.0094), (0.0194, 0.0972, 0.0481)),
-    # measured 0.36, 1.14, 0.54 % and 0.99, 1.80, 2.54 %; the pressure was 0.33 and 0.87 % with strips that do
+    # measured 0.36, 0.55, 0.54 % and 0.99, 0.84, 2.54 %; the pressure was 0.33 and 0.87 % with strips that do
     # not reach over the whole overlap: at 6.5 mm and 2 degrees of yaw it is 2.5 % low (0.03 % with 48 strips)
-    ("analyn_strip", (0.0046, 0.0148, 0.0070), (0.0148, 0.0270, 0.0381)),
+    ("analyn_strip", (0.0045, 0.0072, 0.0070), (0.0147, 0.0126, 0.0381)),
     # measured 0.20, 0.24, 0.11 % and 0.57, 1.05, 0.30 %
     ("halfspace", (0.0027, 0.0032, 0.0014), (0.0086, 0.0158, 0.0045)),
 ])
