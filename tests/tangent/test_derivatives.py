@@ -57,10 +57,10 @@ CASES = {
     "hertz": ({"normal_model": "hertz"}, 0.0),
     "analyn": ({}, 1e-3),
     "vertical load": ({"load": "vertical"}, 1e-3),
-    "strip": ({"normal_model": "analyn_strip"}, 3e-3),
+    "strip": ({"normal_model": "analyn_strip"}, 2e-3),
     "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
     "elastic": ({"contact_mode": "elastic"}, 1e-3),
-    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 0.1),
+    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 1e-2),
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),
     "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 3e-3),
@@ -69,12 +69,9 @@ CASES = {
     "smooth": ({"lateral_curvature": "smooth"}, 1e-3),
     "rough": ({"lateral_curvature": "rough"}, 1e-3),
 }
-#: Share of differences that are clear at least, and how far clear ones may be off. Strips have many kinks, at
-#: every line of their table along e^2 / (1 + e^2) and where a patch ends: few of their differences agree with
-#: each other, and some of those by chance. Of a yaw that begins at zero, where all pressures are even
-#: functions, derivatives of elastic strips have up to 4e-4 of a thousandth of nominal values.
-USUALLY, STRIPS, ELASTIC_STRIPS = (0.9, KINK), (0.75, KINK), (0.7, 6e-4)
-ALLOWED = {"strip": STRIPS, "elastic strip": ELASTIC_STRIPS}
+#: Share of differences that are clear at least. Strips have many kinks, at every line of their table along
+#: e^2 / (1 + e^2) and where a patch ends: fewer of their differences agree with each other.
+USUALLY, STRIPS = 0.9, 0.75
 QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
 SLOW = pytest.mark.slow
 
@@ -158,10 +155,9 @@ def test_derivatives_are_those_of_differences(case):
             spreads.append((apart / size)[CONTINUOUS])
     deviations, spreads = np.concatenate(deviations), np.concatenate(spreads)
     clear = spreads <= CLEAR
-    least, largest = ALLOWED.get(case, USUALLY)
-    assert clear.mean() > least
-    assert (deviations[clear] > AGREE).mean() <= kinked and deviations[clear].max() < largest
-    assert np.median(deviations) < (1e-7 if case == "elastic strip" else 1e-8)
+    assert clear.mean() > (STRIPS if "strip" in case else USUALLY)
+    assert (deviations[clear] > AGREE).mean() <= kinked and deviations[clear].max() < KINK
+    assert np.median(deviations) < 3e-8
 
 
 @pytest.mark.parametrize("case", ["hertz", "analyn", "elastic", "compliant"])
