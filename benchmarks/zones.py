@@ -14,11 +14,11 @@ from . import random_poses
 
 ZONES = "tread", "flange root", "flange", "two places"
 ANGLES = np.radians([15.0, 45.0])  # where the flange root and the flange begin
-PERCENTILE = 95
+KINDS = "mean", "95 of 100", "worst"  # what the table shows of them
 
 
 def by_zone(count=random_poses.COUNT):
-    """Rows by zone: the number of wheels, and by model mean, 95th percentile and largest errors (3,) [%]."""
+    """Rows by zone: the number of wheels, and by model the KINDS of their errors (3,) [%]."""
     truth = random_poses.references(count, random_poses.STORED).reshape(-1, 3)
     poses = [random_poses.pose(index) for index in range(count)]
     zone = zones(poses)
@@ -30,8 +30,8 @@ def by_zone(count=random_poses.COUNT):
             here = errors[(zone == number) & np.isfinite(errors).all(axis=1)]
             rows[name]["wheels"] = len(here)
             if len(here):
-                rows[name][model] = {"mean": here.mean(axis=0), "worst": here.max(axis=0),
-                                     f"{PERCENTILE} of 100": np.percentile(here, PERCENTILE, axis=0)}
+                kinds = dict(random_poses.quantiles(here))
+                rows[name][model] = {kind: kinds[kind] for kind in KINDS}
     return rows
 
 

@@ -30,7 +30,7 @@ def errors_at(model, shifts):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("model, worst",
-                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.04))])
+                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.034))])
 def test_half_space_where_a_region_appears(model, worst):
     """Strips measure 1.0, 2.9 and 3.1 % at most."""
     error = np.abs(errors_at(model, HARD))

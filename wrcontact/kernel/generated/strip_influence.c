@@ -29,6 +29,18 @@ static inline double strip_influence__cubic_through_slopes(double low, double lo
     return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)));
 }
 
+/* The cell that holds ``place``, 0 ... ``count``; the last one has its end too. */
+static inline int64_t strip_influence__cell_at(double place, int64_t count)
+{
+    int64_t cell;
+    cell = (int64_t)(place);
+    if (cell > count - INT64_C(1))
+    {
+        cell = count - INT64_C(1);
+    }
+    return cell;
+}
+
 /* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
  *
  * Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
@@ -47,17 +59,9 @@ static inline double strip_influence__influence_at(array_double_1d tables, int64
     double high;
     double high_slope;
     place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
+    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
     along = v * (double)(layout__INFLUENCE_COLUMNS);
-    column = (int64_t)(along);
-    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
-    {
-        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
-    }
+    column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
     share = along - (double)(column);
     at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
     to = at + layout__INFLUENCE_COLUMN;
@@ -76,11 +80,7 @@ static inline double strip_influence__middle_influence(array_double_1d tables, i
     int64_t at;
     double result;
     place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
+    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
     at = first + INT64_C(2) * cell;
     result = strip_influence__cubic_through_slopes((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), place - (double)(cell));
     return result;

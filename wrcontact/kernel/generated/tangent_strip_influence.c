@@ -85,19 +85,11 @@ static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
+    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
     v2 = (double)(layout__INFLUENCE_COLUMNS);
     along_t = v_t * v2;
     along = v * v2;
-    column = (int64_t)(along);
-    if (column > layout__INFLUENCE_COLUMNS - INT64_C(1))
-    {
-        column = layout__INFLUENCE_COLUMNS - INT64_C(1);
-    }
+    column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
     share_t = along_t;
     share = along - (double)(column);
     at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
@@ -129,11 +121,7 @@ static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, do
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
-    cell = (int64_t)(place);
-    if (cell > layout__INFLUENCE_CELLS - INT64_C(1))
-    {
-        cell = layout__INFLUENCE_CELLS - INT64_C(1);
-    }
+    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
     at = first + INT64_C(2) * cell;
     tangent_strip_influence__cubic_through_slopes_t(v2, v2_t, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), 0.0, place - (double)(cell), place_t);
     return 0;

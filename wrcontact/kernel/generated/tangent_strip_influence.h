@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "strip_influence.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t);

@@ -38,6 +38,7 @@
 #include "requested.c"
 #include "separation.c"
 #include "strip_edges.c"
+#include "strip_influence.c"
 #include "strip_layout.c"
 #include "table_cell.c"
 #include "tangent_analyn.c"

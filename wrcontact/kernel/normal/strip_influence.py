@@ -31,19 +31,23 @@ def cubic_through_slopes(low: float, low_slope: float, high: float, high_slope: 
     return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)))
 
 
+def cell_at(place: float, count: int):
+    """The cell that holds ``place``, 0 ... ``count``; the last one has its end too."""
+    cell = int(place)
+    if cell > count - 1:
+        cell = count - 1
+    return cell
+
+
 def influence_at(table: InfluenceTable, first: int, u: float, v: float):
     """Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
 
     Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
     """
     place = u * float(INFLUENCE_CELLS)
-    cell = int(place)
-    if cell > INFLUENCE_CELLS - 1:
-        cell = INFLUENCE_CELLS - 1
+    cell = cell_at(place, INFLUENCE_CELLS)
     along = v * float(INFLUENCE_COLUMNS)
-    column = int(along)
-    if column > INFLUENCE_COLUMNS - 1:
-        column = INFLUENCE_COLUMNS - 1
+    column = cell_at(along, INFLUENCE_COLUMNS)
     share = along - float(column)
     at = first + INFLUENCE_COLUMN * column + 2 * cell
     to = at + INFLUENCE_COLUMN
@@ -57,9 +61,7 @@ def influence_at(table: InfluenceTable, first: int, u: float, v: float):
 def middle_influence(table: InfluenceTable, first: int, u: float):
     """The same at v = 0."""
     place = u * float(INFLUENCE_CELLS)
-    cell = int(place)
-    if cell > INFLUENCE_CELLS - 1:
-        cell = INFLUENCE_CELLS - 1
+    cell = cell_at(place, INFLUENCE_CELLS)
     at = first + 2 * cell
     return cubic_through_slopes(table.numbers[at], table.numbers[at + 1], table.numbers[at + 2],
                                 table.numbers[at + 3], place - float(cell))
