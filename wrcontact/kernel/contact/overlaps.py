@@ -56,6 +56,7 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
     node = node_below(tables.scan, side.best_y)
     overlap.count = 0
     overlap.height = height
+    overlap.stretch.known = -1
     start = walk_overlap(tables, samples, place, state, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, samples, place, state, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
@@ -83,8 +84,13 @@ def list_in_cell(tables: Tables, frame: Frame, overlap: Overlap, place: Place, e
     if hidden == 1:
         # the samples are straight down: what counts is the rise along the normal
         widen_bounds(tables, overlap, place, entry)
-        measure_rise(tables, frame, overlap, place, stretch.first, samples.wheel[entry])
+        if stretch.known == entry:
+            copy_rise(stretch.end, stretch.first)
+        else:
+            measure_rise(tables, frame, overlap, place, stretch.first, samples.wheel[entry])
         measure_rise(tables, frame, overlap, place, stretch.last, samples.wheel[entry + 1])
+        copy_rise(stretch.last, stretch.end)
+        stretch.known = entry + 1
         finest = HIDDEN_PART
     elif stretch.least > 0.0:
         listed = list_turning_point(tables, frame, overlap, place, stretch.first.x, stretch.last.x,
@@ -241,7 +247,7 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
         stop = start + size
         if stop < PARTS:
             after.x = stretch.first.x + each * float(stop)
-            measure_rise(tables, frame, overlap, place, after, stretch.wheel)
+            measure_rise(tables, frame, overlap, place, after, wheel_beside(stretch, float(stop)))
         else:
             copy_rise(stretch.last, after)
         once = turns_once(stretch, float(size) / float(PARTS))
@@ -249,7 +255,8 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
             size = size // 2
         else:
             if before.rise > 0.0 and after.rise <= 0.0:
-                list_turning_point(tables, frame, overlap, place, before.x, after.x, stretch.wheel)
+                list_turning_point(tables, frame, overlap, place, before.x, after.x,
+                                   wheel_beside(stretch, 0.5 * float(start + stop)))
             elif once == 0:
                 list_hidden_point(tables, frame, overlap, place)
             copy_rise(after, before)
@@ -257,6 +264,12 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
             while start < PARTS and size < PARTS and start % (2 * size) == 0:
                 size = 2 * size
     return 0
+
+
+def wheel_beside(stretch: Stretch, parts: float):
+    """About which wheel abscissa [m] belongs to the place that many ``parts`` after the first end of the
+    stretch."""
+    return stretch.wheel + (parts / float(PARTS) - 0.5) * stretch.width
 
 
 def turns_once(stretch: Stretch, share: float):

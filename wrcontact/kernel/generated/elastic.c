@@ -49,6 +49,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     }
     elastic__iterate(&roll, &status, tables, work, state, roll, height, left, right);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     if (status == layout__NOT_CONVERGED)
     {
         brackets__bracket_roll(&roll, &status, tables, work, state, rigid_roll, left, right);
@@ -95,13 +96,22 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP);
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
         moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
-        if ((trial > INT64_C(0)) && (moved < elastic__NOT_LAST))
+        if ((trial > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0) && (moved < elastic__COARSE))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
+            /* the change to the whole model does not show how residuals follow a move */
+            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
+            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+        }
+        else if ((trial > INT64_C(0)) && (moved < elastic__NOT_LAST))
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+            /* the same place again, with patches, or with the smaller gap that was found */
         }
         status = trial__balance_both(tables, work, state, left, right, height);
         if (status > layout__UNLOADED)
@@ -133,7 +143,6 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
                 (*result_1_0001) = trial__depth_outcome(work, status);
                 return 0;
             }
-            /* the same place again, with patches, or with the smaller gap that was found */
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
         }

@@ -25,6 +25,10 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     {
         analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
+    {
+        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, state, force);
+    }
     else
     {
         strip_contact__strip_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);

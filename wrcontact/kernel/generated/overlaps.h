@@ -34,11 +34,12 @@ static OUT_OF_LINE int64_t overlaps__may_turn(array_double_1d work, array_double
 static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate);
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__copy_rise(array_double_1d work, int64_t point, int64_t copy);
 static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, double y);
 static OUT_OF_LINE int64_t overlaps__list_turning_point(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y);
 static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step);
 static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_double_1d tables, int64_t place);
-static OUT_OF_LINE int64_t overlaps__copy_rise(array_double_1d work, int64_t point, int64_t copy);
+static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double parts);
 static OUT_OF_LINE int64_t overlaps__turns_once(array_double_1d work, double share);
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, array_double_1d tables, int64_t place);
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest);

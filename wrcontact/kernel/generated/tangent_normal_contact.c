@@ -18,6 +18,10 @@ static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration
     {
         tangent_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
     }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
+    {
+        tangent_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, force, force_t);
+    }
     else
     {
         tangent_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);

@@ -94,6 +94,20 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
     return 0;
 }
 
+/* Tangent of ``coarse_contact``. */
+static inline int64_t tangent_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+{
+    int64_t n1;
+    n1 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
+    (*count) = n1;
+    tangent_strips__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, INT64_C(0));
+    if ((*satisfied) == INT64_C(1))
+    {
+        tangent_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
+    }
+    return 0;
+}
+
 /* Tangent of ``open_zones``. */
 static inline int64_t tangent_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
 {

@@ -166,6 +166,8 @@ class Stretch:
     low: RisePoint                  # of the part of it where a hump is sought
     high: RisePoint
     middle: RisePoint
+    end: RisePoint                  # of the last stretch that was measured
+    known: int                      # sample that it belongs to
     wheel: float                    # a wheel abscissa that belongs to it [m]
     width: float                    # how far the wheel's reach [m]
     least: float                    # bounds of the bend of the gap [1/m]

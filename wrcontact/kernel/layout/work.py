@@ -14,6 +14,7 @@ class Contact:
     """The contact of one wheel while it is solved, from its frame to its solved patches."""
 
     filling: bool                   # whether patches are filled in, or only the penetration is wanted
+    coarse: bool                    # whether an approximate penetration is enough
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions

@@ -6,7 +6,7 @@ A further model is a file with a function like :func:`~.analyn_contact.analyn_co
 from ..layout import MODEL_ANALYN, MODEL_HERTZ, Contact, SideOutputs, SideSearch, State, Tables
 from .analyn_contact import analyn_contact
 from .hertz_contact import hertz_contact
-from .strip_contact import strip_contact
+from .strip_contact import coarse_contact, strip_contact
 
 
 def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearch, point: SideOutputs,
@@ -22,6 +22,8 @@ def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearc
         penetration, count, satisfied = hertz_contact(tables, contact, point, force, prescribed)
     elif model == MODEL_ANALYN:
         penetration, count, satisfied = analyn_contact(tables, contact, state, side, force, prescribed)
+    elif contact.coarse:
+        penetration, count, satisfied = coarse_contact(tables, contact, state, force)
     else:
         penetration, count, satisfied = strip_contact(tables, contact, state, side, force, prescribed)
     return penetration, count, satisfied

@@ -19,6 +19,7 @@ from typing import Final
 
 from ..contact.touching import limited
 from ..layout import (
+    MODEL_ANALYN_STRIP,
     NOT_CONVERGED,
     OFF_PROFILE,
     ROLL_LIMIT,
@@ -44,6 +45,9 @@ ELASTIC_SHARP: Final[float] = 1e-13
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one, and leaves out the patches [m].
 NOT_LAST: Final[float] = 1e-6
+#: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
+#: about as much off.
+COARSE: Final[float] = 2e-6
 #: Longest move of a wheel in one trial [m].
 LONGEST: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
@@ -68,6 +72,7 @@ def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: f
         return roll, OFF_PROFILE
     roll, status = iterate(tables, work, state, roll, height, left, right)
     work.contact.filling = True
+    work.contact.coarse = False
     if status == NOT_CONVERGED:
         roll, status = bracket_roll(tables, work, state, rigid_roll, left, right)
     return roll, status
@@ -99,10 +104,16 @@ def iterate(tables: Tables, work: Work, state: State, roll: float, height: float
     method.right = 0.0
     method.move_height = 0.0
     method.move_roll = 0.0
+    work.contact.coarse = tables.normal_model == MODEL_ANALYN_STRIP
     for trial in range(TRIALS):
         moved = fabs(method.move_height) + fabs(method.move_roll)
         work.contact.filling = False
-        if trial > 0 and moved < NOT_LAST:
+        if trial > 0 and work.contact.coarse and moved < COARSE:
+            work.contact.coarse = False
+            # the change to the whole model does not show how residuals follow a move
+            method.move_height = 0.0
+            method.move_roll = 0.0
+        elif trial > 0 and moved < NOT_LAST:
             work.contact.filling = True
         status = balance_both(tables, work, state, left, right, height)
         if status > UNLOADED:

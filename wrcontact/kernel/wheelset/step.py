@@ -32,6 +32,7 @@ def evaluate(tables: Tables, work: Work, state: State):
     if status != VALID:
         return status
     work.contact.filling = True
+    work.contact.coarse = False
     if tables.mode == MODE_COMPLIANT:
         status = solve_compliant(tables, work, state)
     else:
