@@ -43,7 +43,7 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
     found = INT64_C(0);
     for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__FIRST_POWER, force, by_penetration);
+        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__FIRST_POWER, force, by_penetration, INT64_C(1));
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
@@ -70,6 +70,7 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
     int64_t sweep_end;
     int64_t sweep;
     int64_t given;
+    int64_t whole;
     strips__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     strip_surfaces__lengths_before(work, tables);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -78,11 +79,16 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
     for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
     {
         given = INT64_C(1);
+        whole = INT64_C(1);
+        if (sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
+        {
+            whole = INT64_C(0);
+        }
         if ((sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
             given = by_penetration;
         }
-        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__POWER, force, given);
+        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__POWER, force, given, whole);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
@@ -102,7 +108,7 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
 /* Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
  * 0.
  */
-static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration)
+static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration, int64_t whole)
 {
     int64_t yawed;
     yawed = contact_plane__is_yawed(work);
@@ -111,7 +117,7 @@ static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, 
     strip_pressures__solve_pressures(penetration, found, work, tables, state, force, by_penetration, yawed);
     if ((*found) == INT64_C(1))
     {
-        strip_lengths__correct_lengths(work, tables, (*penetration), power, yawed);
+        strip_lengths__correct_lengths(work, tables, (*penetration), power, yawed, whole);
     }
     return 0;
 }

@@ -30,7 +30,7 @@ static inline int64_t tangent_strips__first_layout_t(double* result_0, double* r
     found = INT64_C(0);
     for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__FIRST_POWER, 0.0, force, force_t, by_penetration);
+        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__FIRST_POWER, 0.0, force, force_t, by_penetration, INT64_C(1));
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
@@ -56,6 +56,7 @@ static inline int64_t tangent_strips__second_layout_t(double* result_0, double* 
     int64_t sweep_end;
     int64_t sweep;
     int64_t given;
+    int64_t whole;
     tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     tangent_strip_surfaces__lengths_before_t(work, work_t, tables);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -65,11 +66,16 @@ static inline int64_t tangent_strips__second_layout_t(double* result_0, double* 
     for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
     {
         given = INT64_C(1);
+        whole = INT64_C(1);
+        if (sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
+        {
+            whole = INT64_C(0);
+        }
         if ((sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
             given = by_penetration;
         }
-        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__POWER, 0.0, force, force_t, given);
+        tangent_strips__sweep_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, strip_lengths__POWER, 0.0, force, force_t, given, whole);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
@@ -89,7 +95,7 @@ static inline int64_t tangent_strips__second_layout_t(double* result_0, double* 
 }
 
 /* Tangent of ``sweep_strips``. */
-static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double power, double power_t, double force, double force_t, int64_t by_penetration)
+static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double power, double power_t, double force, double force_t, int64_t by_penetration, int64_t whole)
 {
     int64_t yawed;
     yawed = contact_plane__is_yawed(work);
@@ -98,7 +104,7 @@ static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double
     tangent_strip_pressures__solve_pressures_t(penetration, penetration_t, found, work, work_t, tables, state, force, force_t, by_penetration, yawed);
     if ((*found) == INT64_C(1))
     {
-        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), power, power_t, yawed);
+        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), power, power_t, yawed, whole);
     }
     return 0;
 }

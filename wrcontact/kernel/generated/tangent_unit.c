@@ -40,6 +40,7 @@
 #include "strip_edges.c"
 #include "strip_influence.c"
 #include "strip_layout.c"
+#include "strip_lengths.c"
 #include "table_cell.c"
 #include "tangent_analyn.c"
 #include "tangent_analyn_contact.c"

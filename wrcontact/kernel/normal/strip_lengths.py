@@ -67,7 +67,8 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
     return half * corrected(ratio, power)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int):
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int,
+                    whole: int):
     """Line load, square of the corrected half-length, pressure and lead of every strip.
 
     The line load stays, and the pressure follows from the corrected half-length.
@@ -83,12 +84,17 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         strip.pressure = 0.0
         strip.next_lead = strip.lead
         if strip.y > 0.0:
-            half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
+            half = strip.half_length
+            if whole == 1 or read_off(problem, i) == 0:
+                half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
             strip.line_load = scale * strip.half_length * strip.y / strip.width
             strip.half_length_square = half * half
             strip.pressure = strip.y / strip.breadth
             if strip.pressure > largest:
                 largest = strip.pressure
+    for i in range(count):
+        if whole == 0 and strips[i].y > 0.0 and read_off(problem, i) == 1:
+            read_length(strips, i)
     for i in range(count):
         strip = strips[i]
         share = strip.pressure / (LIGHT * largest)
@@ -101,6 +107,34 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         if strip.y > 0.0:
             strip.pressure = 2.0 / pi * strip.line_load * strip.width / (strip.breadth
                                                                          * sqrt(strip.half_length_square))
+    return 0
+
+
+def read_off(problem: StripProblem, i: int):
+    """1 where the correction of strip ``i`` is read off those of its neighbours, else 0."""
+    strips = problem.strips
+    answer = 0
+    if i % 2 == 1 and i > 2 and i < problem.count - 3:
+        if (strips[i - 2].joined and strips[i - 1].joined and strips[i].joined and strips[i + 1].joined
+                and strips[i - 2].y > 0.0 and strips[i + 2].y > 0.0 and strips[i - 1].y > 0.0
+                and strips[i + 1].y > 0.0):
+            answer = 1
+    return answer
+
+
+def read_length(strips: Strips, i: int):
+    """Correct strip ``i`` as its neighbours are."""
+    before = strips[i - 1]
+    strip = strips[i]
+    after = strips[i + 1]
+    way = after.station - before.station
+    share = (strip.station - before.station) / way
+    one = sqrt(before.half_length_square) / before.half_length
+    other = sqrt(after.half_length_square) / after.half_length
+    half = strip.half_length * (one + share * (other - one))
+    strip.half_length_square = half * half
+    move = before.next_lead - before.lead
+    strip.next_lead = strip.lead + move + share * (after.next_lead - after.lead - move)
     return 0
 
 

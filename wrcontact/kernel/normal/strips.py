@@ -56,7 +56,7 @@ def first_layout(tables: Tables, contact: Contact, state: State, count: int, for
     penetration = problem.penetration
     found = 0
     for sweep in range(FIRST_SWEEPS):
-        penetration, found = sweep_strips(tables, contact, state, FIRST_POWER, force, by_penetration)
+        penetration, found = sweep_strips(tables, contact, state, FIRST_POWER, force, by_penetration, 1)
         if found == 0:
             return penetration, found
         adopt_lengths(problem)
@@ -78,9 +78,12 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
     found = 0
     for sweep in range(tables.sweeps):
         given = 1
+        whole = 1
+        if sweep == tables.sweeps - 1:
+            whole = 0
         if sweep == tables.sweeps - 1 or contact.frame.sunk:
             given = by_penetration
-        penetration, found = sweep_strips(tables, contact, state, POWER, force, given)
+        penetration, found = sweep_strips(tables, contact, state, POWER, force, given, whole)
         if found == 0:
             return penetration, found
         if sweep < tables.sweeps - 1:
@@ -89,7 +92,7 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
 
 
 def sweep_strips(tables: Tables, contact: Contact, state: State, power: float, force: float,
-                 by_penetration: int):
+                 by_penetration: int, whole: int):
     """Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
     0."""
     problem = contact.strip_problem
@@ -99,5 +102,5 @@ def sweep_strips(tables: Tables, contact: Contact, state: State, power: float, f
     penetration, found = solve_pressures(problem, contact.equations, tables, state, force, by_penetration,
                                          yawed)
     if found == 1:
-        correct_lengths(tables, problem, penetration, power, yawed)
+        correct_lengths(tables, problem, penetration, power, yawed, whole)
     return penetration, found
