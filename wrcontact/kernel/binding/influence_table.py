@@ -59,11 +59,16 @@ def mean_influence(t, e):
 
 
 def map_of(function):
-    """Value and slope of a function of t and e at the nodes, the columns one after the other."""
-    u = np.arange(INFLUENCE_CELLS + 1) / INFLUENCE_CELLS
-    u[0], u[-1] = FIRST / INFLUENCE_CELLS, 1.0 - 1e-6
+    """Parabolas (a + b x + c x^2 for 0 <= x <= 1) of a function of t and e in the cells, the columns one after
+    the other.
+
+    Two cells between nodes, where the parabolas have the function's value and slope.
+    """
+    nodes = INFLUENCE_CELLS // 2
+    u = np.arange(nodes + 1) / nodes
+    u[0], u[-1] = FIRST / nodes, 1.0 - 1e-6
     column = np.arange(INFLUENCE_COLUMNS) / INFLUENCE_COLUMNS
-    step = SLOPE_STEP / INFLUENCE_CELLS
+    step = SLOPE_STEP / nodes
 
     def along(u):
         u = np.minimum(u, 1.0 - 1e-6)
@@ -71,12 +76,16 @@ def map_of(function):
         return function(*np.broadcast_arrays(t[None, :], np.sqrt(column / (1.0 - column))[:, None]))
 
     value, before, after = along(u), along(u - step), along(u + step)
-    pairs = np.zeros((INFLUENCE_COLUMNS + 1, INFLUENCE_CELLS + 1, 2))       # infinitely far along x: none
-    pairs[:-1, :, 0] = value
-    pairs[:-1, :, 1] = (after - before) / (2.0 * SLOPE_STEP)
-    pairs[:-1, -1, 0] = 0.0
-    pairs[:-1, -1, 1] = (value[:, -1] - before[:, -1]) / SLOPE_STEP
-    return pairs.ravel()
+    slope = (after - before) / (4.0 * SLOPE_STEP)           # of a cell
+    value[:, -1] = 0.0
+    slope[:, -1] = (value[:, -1] - before[:, -1]) / (2.0 * SLOPE_STEP)
+    low, high, rise, fall = value[:, :-1], value[:, 1:], slope[:, :-1], slope[:, 1:]
+    middle = 0.5 * (low + high) + 0.25 * (rise - fall)
+    steep = (high - low) - 0.5 * (rise + fall)
+    parabolas = np.zeros((INFLUENCE_COLUMNS + 1, nodes, 2, 3))         # infinitely far along x: none
+    parabolas[:-1, :, 0] = np.stack([low, rise, 0.5 * (steep - rise)], axis=-1)
+    parabolas[:-1, :, 1] = np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1)
+    return parabolas.ravel()
 
 
 @lru_cache(maxsize=1)

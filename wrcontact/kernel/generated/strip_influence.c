@@ -19,16 +19,6 @@ static inline double strip_influence__apartness(double x, double half_length)
     return square / (square + half_length * half_length);
 }
 
-/* The cubic between two values with their slopes, at 0 <= ``x`` <= 1. */
-static inline double strip_influence__cubic_through_slopes(double low, double low_slope, double high, double high_slope, double x)
-{
-    double rise;
-    double rest;
-    rise = high - low;
-    rest = 1.0 - x;
-    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)));
-}
-
 /* The cell that holds ``place``, 0 ... ``count``; the last one has its end too. */
 static inline int64_t strip_influence__cell_at(double place, int64_t count)
 {
@@ -43,7 +33,8 @@ static inline int64_t strip_influence__cell_at(double place, int64_t count)
 
 /* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
  *
- * Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
+ * Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
+ * two poses.
  */
 static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v)
 {
@@ -51,25 +42,23 @@ static inline double strip_influence__influence_at(array_double_1d tables, int64
     int64_t cell;
     double along;
     int64_t column;
+    double x;
     double share;
     int64_t at;
     int64_t to;
     double low;
-    double low_slope;
     double high;
-    double high_slope;
     place = u * (double)(layout__INFLUENCE_CELLS);
     cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
     along = v * (double)(layout__INFLUENCE_COLUMNS);
     column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
+    x = place - (double)(cell);
     share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)));
-    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))));
-    return strip_influence__cubic_through_slopes(low, low_slope, high, high_slope, place - (double)(cell));
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    return low + share * (high - low);
 }
 
 /* The same at v = 0. */
@@ -77,12 +66,14 @@ static inline double strip_influence__middle_influence(array_double_1d tables, i
 {
     double place;
     int64_t cell;
+    double x;
     int64_t at;
     double result;
     place = u * (double)(layout__INFLUENCE_CELLS);
     cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    at = first + INT64_C(2) * cell;
-    result = strip_influence__cubic_through_slopes((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), place - (double)(cell));
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return result;
 }
 

@@ -11,7 +11,6 @@
 
 static inline double strip_influence__nearness(double distance, double half_length);
 static inline double strip_influence__apartness(double x, double half_length);
-static inline double strip_influence__cubic_through_slopes(double low, double low_slope, double high, double high_slope, double x);
 static inline int64_t strip_influence__cell_at(double place, int64_t count);
 static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
 static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);

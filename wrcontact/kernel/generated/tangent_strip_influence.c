@@ -31,32 +31,8 @@ static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* r
     return 0;
 }
 
-/* Tangent of ``cubic_through_slopes``. */
-static inline int64_t tangent_strip_influence__cubic_through_slopes_t(double* result_0, double* result_1, double low, double low_t, double low_slope, double low_slope_t, double high, double high_t, double high_slope, double high_slope_t, double x, double x_t)
-{
-    double rise_t;
-    double rise;
-    double rest_t;
-    double rest;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    rise_t = high_t - low_t;
-    rise = high - low;
-    rest_t = -x_t;
-    rest = 1.0 - x;
-    v1 = low_slope - rise;
-    v2 = high_slope - rise;
-    v3 = rest * v1 - x * v2;
-    v4 = rise + rest * v3;
-    (*result_0) = low + x * v4;
-    (*result_1) = low_t + (x_t * v4 + x * (rise_t + (rest_t * v3 + rest * (rest_t * v1 + rest * (low_slope_t - rise_t) - (x_t * v2 + x * (high_slope_t - rise_t))))));
-    return 0;
-}
-
 /* Tangent of ``influence_at``. */
-static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double* v7_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
 {
     double v1;
     double place_t;
@@ -66,6 +42,8 @@ static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double
     double along_t;
     double along;
     int64_t column;
+    double x_t;
+    double x;
     double share_t;
     double share;
     int64_t at;
@@ -74,14 +52,9 @@ static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double
     double low_t;
     double low;
     double v4;
-    double low_slope_t;
-    double low_slope;
-    double v5;
     double high_t;
     double high;
-    double v6;
-    double high_slope_t;
-    double high_slope;
+    double v5;
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
@@ -90,40 +63,45 @@ static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double
     along_t = v_t * v2;
     along = v * v2;
     column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
+    x_t = place_t;
+    x = place - (double)(cell);
     share_t = along_t;
     share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(2) * cell;
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at));
-    low_t = share_t * v3;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + share * v3;
-    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1))));
-    low_slope_t = share_t * v4;
-    low_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + share * v4;
-    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    high_t = share_t * v5;
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))) + share * v5;
-    v6 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(3)))) - (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3))));
-    high_slope_t = share_t * v6;
-    high_slope = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))) + share * v6;
-    tangent_strip_influence__cubic_through_slopes_t(v7, v7_t, low, low_t, low_slope, low_slope_t, high, high_t, high_slope, high_slope_t, place - (double)(cell), place_t);
+    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    low_t = x_t * v3 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v3;
+    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
+    high_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v4;
+    v5 = high - low;
+    (*result_0) = low + share * v5;
+    (*result_1) = low_t + (share_t * v5 + share * (high_t - low_t));
     return 0;
 }
 
 /* Tangent of ``middle_influence``. */
-static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, double* v2_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
 {
     double v1;
     double place_t;
     double place;
     int64_t cell;
+    double x_t;
+    double x;
     int64_t at;
+    double v2;
     v1 = (double)(layout__INFLUENCE_CELLS);
     place_t = u_t * v1;
     place = u * v1;
     cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    at = first + INT64_C(2) * cell;
-    tangent_strip_influence__cubic_through_slopes_t(v2, v2_t, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))), 0.0, (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(3)))), 0.0, place - (double)(cell), place_t);
+    x_t = place_t;
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    v2 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v2;
+    (*result_1) = x_t * v2 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 

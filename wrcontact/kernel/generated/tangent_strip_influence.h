@@ -13,9 +13,8 @@
 
 static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t);
 static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
-static inline int64_t tangent_strip_influence__cubic_through_slopes_t(double* result_0, double* result_1, double low, double low_t, double low_slope, double low_slope_t, double high, double high_t, double high_slope, double high_slope_t, double x, double x_t);
-static inline int64_t tangent_strip_influence__influence_at_t(double* v7, double* v7_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
-static inline int64_t tangent_strip_influence__middle_influence_t(double* v2, double* v2_t, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
+static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
+static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
 static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
 static inline int64_t tangent_strip_influence__begin_influences_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_strip_influence__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, int64_t yawed);

@@ -101,10 +101,10 @@ class StripProblem:
     influences: Influences          # F_ij, displacement of the middle of i for y_j = 1; eq. (S2)
 
 
-INFLUENCE_CELLS: Final[int] = 48     # of the table of influences along sqrt(t / (1 + t)),
+INFLUENCE_CELLS: Final[int] = 96     # of the table of influences along sqrt(t / (1 + t)),
 INFLUENCE_COLUMNS: Final[int] = 48   # and along e^2 / (1 + e^2)
-#: Numbers of a column, value and slope at each node, and of a map.
-INFLUENCE_COLUMN: Final[int] = 2 * (INFLUENCE_CELLS + 1)
+#: Numbers of a column, the parabola of each cell, and of a map.
+INFLUENCE_COLUMN: Final[int] = 3 * INFLUENCE_CELLS
 INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 1)
 
 

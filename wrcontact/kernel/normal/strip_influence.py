@@ -24,13 +24,6 @@ def apartness(x: float, half_length: float):
     return square / (square + half_length * half_length)
 
 
-def cubic_through_slopes(low: float, low_slope: float, high: float, high_slope: float, x: float):
-    """The cubic between two values with their slopes, at 0 <= ``x`` <= 1."""
-    rise = high - low
-    rest = 1.0 - x
-    return low + x * (rise + rest * (rest * (low_slope - rise) - x * (high_slope - rise)))
-
-
 def cell_at(place: float, count: int):
     """The cell that holds ``place``, 0 ... ``count``; the last one has its end too."""
     cell = int(place)
@@ -42,29 +35,29 @@ def cell_at(place: float, count: int):
 def influence_at(table: InfluenceTable, first: int, u: float, v: float):
     """Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
 
-    Cubics along u: with straight lines there, derivatives would jump by 1e-5 between any two poses.
+    Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
+    two poses.
     """
     place = u * float(INFLUENCE_CELLS)
     cell = cell_at(place, INFLUENCE_CELLS)
     along = v * float(INFLUENCE_COLUMNS)
     column = cell_at(along, INFLUENCE_COLUMNS)
+    x = place - float(cell)
     share = along - float(column)
-    at = first + INFLUENCE_COLUMN * column + 2 * cell
+    at = first + INFLUENCE_COLUMN * column + 3 * cell
     to = at + INFLUENCE_COLUMN
-    low = table.numbers[at] + share * (table.numbers[to] - table.numbers[at])
-    low_slope = table.numbers[at + 1] + share * (table.numbers[to + 1] - table.numbers[at + 1])
-    high = table.numbers[at + 2] + share * (table.numbers[to + 2] - table.numbers[at + 2])
-    high_slope = table.numbers[at + 3] + share * (table.numbers[to + 3] - table.numbers[at + 3])
-    return cubic_through_slopes(low, low_slope, high, high_slope, place - float(cell))
+    low = table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
+    high = table.numbers[to] + x * (table.numbers[to + 1] + x * table.numbers[to + 2])
+    return low + share * (high - low)
 
 
 def middle_influence(table: InfluenceTable, first: int, u: float):
     """The same at v = 0."""
     place = u * float(INFLUENCE_CELLS)
     cell = cell_at(place, INFLUENCE_CELLS)
-    at = first + 2 * cell
-    return cubic_through_slopes(table.numbers[at], table.numbers[at + 1], table.numbers[at + 2],
-                                table.numbers[at + 3], place - float(cell))
+    x = place - float(cell)
+    at = first + 3 * cell
+    return table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
 
 
 def mean_at(table: InfluenceTable, strip: Strip, distance: float, v: float):
