@@ -43,13 +43,14 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
     found = INT64_C(0);
     for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__FIRST_POWER, force, by_penetration, INT64_C(1));
+        strips__solve_strips(&penetration, &found, work, tables, state, force, by_penetration);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
             (*result_1) = found;
             return 0;
         }
+        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, contact_plane__is_yawed(work), INT64_C(0));
         strip_lengths__adopt_lengths(work);
     }
     strip_layout__strip_cells(work);
@@ -61,7 +62,8 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
 /* Strips that are laid by the pressures of the first layout, solved; results as there.
  *
  * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
- * that, the strips are those of a wheel that is pressed so deep.
+ * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
+ * alone: every second strip of a run follows its neighbours there.
  */
 static inline int64_t strips__second_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
 {
@@ -69,8 +71,8 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
     int64_t found;
     int64_t sweep_end;
     int64_t sweep;
+    int64_t last;
     int64_t given;
-    int64_t whole;
     strips__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     strip_surfaces__lengths_before(work, tables);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -78,24 +80,28 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
     sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
     {
-        given = INT64_C(1);
-        whole = INT64_C(1);
+        last = INT64_C(0);
         if (sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
         {
-            whole = INT64_C(0);
+            last = INT64_C(1);
         }
-        if ((sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        given = INT64_C(1);
+        if ((last == INT64_C(1)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
             given = by_penetration;
         }
-        strips__sweep_strips(&penetration, &found, work, tables, state, strip_lengths__POWER, force, given, whole);
+        strips__solve_strips(&penetration, &found, work, tables, state, force, given);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;
             (*result_1) = found;
             return 0;
         }
-        if (sweep < (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1))
+        if ((last == INT64_C(0)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+        {
+            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, contact_plane__is_yawed(work), last);
+        }
+        if (last == INT64_C(0))
         {
             strip_lengths__adopt_lengths(work);
         }
@@ -105,19 +111,11 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
     return 0;
 }
 
-/* Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
- * 0.
- */
-static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration, int64_t whole)
+/* Pressures of the strips as they lie; penetration [m], and 1 if found, else 0. */
+static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, int64_t by_penetration)
 {
-    int64_t yawed;
-    yawed = contact_plane__is_yawed(work);
     strip_surfaces__set_gaps(work);
     strip_influence__begin_influences(work);
-    strip_pressures__solve_pressures(penetration, found, work, tables, state, force, by_penetration, yawed);
-    if ((*found) == INT64_C(1))
-    {
-        strip_lengths__correct_lengths(work, tables, (*penetration), power, yawed, whole);
-    }
+    strip_pressures__solve_pressures(result_0, result_1, work, tables, state, force, by_penetration, contact_plane__is_yawed(work));
     return 0;
 }

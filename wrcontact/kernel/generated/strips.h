@@ -31,7 +31,7 @@
 static const int64_t strips__FIRST_SWEEPS = INT64_C(1);
 
 static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t strips__sweep_strips(double* penetration, int64_t* found, array_double_1d work, array_double_1d tables, array_double_1d state, double power, double force, int64_t by_penetration, int64_t whole);
+static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, int64_t by_penetration);
 static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration);
 static inline int64_t strips__second_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration);
 

@@ -19,7 +19,7 @@
 #include "tangent_strip_surfaces.h"
 
 static inline int64_t tangent_strips__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t tangent_strips__sweep_strips_t(double* penetration, double* penetration_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double power, double power_t, double force, double force_t, int64_t by_penetration, int64_t whole);
+static inline int64_t tangent_strips__solve_strips_t(double* r1, double* r1_t, int64_t* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, int64_t by_penetration);
 static inline int64_t tangent_strips__first_layout_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration);
 static inline int64_t tangent_strips__second_layout_t(double* result_0, double* result_1, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, int64_t by_penetration);
 

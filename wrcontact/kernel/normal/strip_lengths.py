@@ -68,8 +68,9 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
 
 
 def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int,
-                    whole: int):
-    """Line load, square of the corrected half-length, pressure and lead of every strip.
+                    following: int):
+    """Line load, square of the corrected half-length, pressure and lead of every strip; where ``following``,
+    every second strip of a run is corrected as its neighbours are.
 
     The line load stays, and the pressure follows from the corrected half-length.
     """
@@ -84,17 +85,17 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         strip.pressure = 0.0
         strip.next_lead = strip.lead
         if strip.y > 0.0:
-            half = strip.half_length
-            if whole == 1 or read_off(problem, i) == 0:
+            if following == 0 or has_pairs(strips, count, i) == 0:
                 half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
+                strip.half_length_square = half * half
             strip.line_load = scale * strip.half_length * strip.y / strip.width
-            strip.half_length_square = half * half
             strip.pressure = strip.y / strip.breadth
             if strip.pressure > largest:
                 largest = strip.pressure
-    for i in range(count):
-        if whole == 0 and strips[i].y > 0.0 and read_off(problem, i) == 1:
-            read_length(strips, i)
+    if following == 1:
+        for i in range(count):
+            if has_pairs(strips, count, i) == 1:
+                follow_neighbours(strips, i)
     for i in range(count):
         strip = strips[i]
         share = strip.pressure / (LIGHT * largest)
@@ -110,28 +111,30 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
     return 0
 
 
-def read_off(problem: StripProblem, i: int):
-    """1 where the correction of strip ``i`` is read off those of its neighbours, else 0."""
-    strips = problem.strips
+def has_pairs(strips: Strips, count: int, i: int):
+    """1 for every second strip that has two loaded strips beside it on both sides, all of which touch, else
+    0."""
     answer = 0
-    if i % 2 == 1 and i > 2 and i < problem.count - 3:
-        if (strips[i - 2].joined and strips[i - 1].joined and strips[i].joined and strips[i + 1].joined
-                and strips[i - 2].y > 0.0 and strips[i + 2].y > 0.0 and strips[i - 1].y > 0.0
-                and strips[i + 1].y > 0.0):
-            answer = 1
+    if i % 2 == 1 and i > 2 and i < count - 2:
+        answer = 1
+        for j in range(i - 2, i + 2):
+            if not (strips[j].joined and strips[j].y > 0.0):
+                answer = 0
+        if not strips[i + 2].y > 0.0:
+            answer = 0
     return answer
 
 
-def read_length(strips: Strips, i: int):
-    """Correct strip ``i`` as its neighbours are."""
+def follow_neighbours(strips: Strips, i: int):
+    """Correct half-length and lead of strip ``i`` as those of the strips beside it, on straight lines between
+    these."""
     before = strips[i - 1]
     strip = strips[i]
     after = strips[i + 1]
-    way = after.station - before.station
-    share = (strip.station - before.station) / way
-    one = sqrt(before.half_length_square) / before.half_length
-    other = sqrt(after.half_length_square) / after.half_length
-    half = strip.half_length * (one + share * (other - one))
+    share = (strip.station - before.station) / (after.station - before.station)
+    correction = sqrt(before.half_length_square) / before.half_length
+    change = sqrt(after.half_length_square) / after.half_length - correction
+    half = strip.half_length * (correction + share * change)
     strip.half_length_square = half * half
     move = before.next_lead - before.lead
     strip.next_lead = strip.lead + move + share * (after.next_lead - after.lead - move)

@@ -56,9 +56,10 @@ def first_layout(tables: Tables, contact: Contact, state: State, count: int, for
     penetration = problem.penetration
     found = 0
     for sweep in range(FIRST_SWEEPS):
-        penetration, found = sweep_strips(tables, contact, state, FIRST_POWER, force, by_penetration, 1)
+        penetration, found = solve_strips(tables, contact, state, force, by_penetration)
         if found == 0:
             return penetration, found
+        correct_lengths(tables, problem, penetration, FIRST_POWER, is_yawed(contact.frame), 0)
         adopt_lengths(problem)
     strip_cells(problem)
     return penetration, found
@@ -69,7 +70,8 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
     """Strips that are laid by the pressures of the first layout, solved; results as there.
 
     Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
-    that, the strips are those of a wheel that is pressed so deep.
+    that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
+    alone: every second strip of a run follows its neighbours there.
     """
     problem = contact.strip_problem
     lay_strips(tables, contact, state, count, tables.strips)
@@ -77,30 +79,26 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
     penetration = problem.penetration
     found = 0
     for sweep in range(tables.sweeps):
-        given = 1
-        whole = 1
+        last = 0
         if sweep == tables.sweeps - 1:
-            whole = 0
-        if sweep == tables.sweeps - 1 or contact.frame.sunk:
+            last = 1
+        given = 1
+        if last == 1 or contact.frame.sunk:
             given = by_penetration
-        penetration, found = sweep_strips(tables, contact, state, POWER, force, given, whole)
+        penetration, found = solve_strips(tables, contact, state, force, given)
         if found == 0:
             return penetration, found
-        if sweep < tables.sweeps - 1:
+        if last == 0 or contact.filling:
+            correct_lengths(tables, problem, penetration, POWER, is_yawed(contact.frame), last)
+        if last == 0:
             adopt_lengths(problem)
     return penetration, found
 
 
-def sweep_strips(tables: Tables, contact: Contact, state: State, power: float, force: float,
-                 by_penetration: int, whole: int):
-    """Pressures and corrected half-lengths of the strips as they lie; penetration [m], and 1 if found, else
-    0."""
+def solve_strips(tables: Tables, contact: Contact, state: State, force: float, by_penetration: int):
+    """Pressures of the strips as they lie; penetration [m], and 1 if found, else 0."""
     problem = contact.strip_problem
-    yawed = is_yawed(contact.frame)
     set_gaps(problem)
     begin_influences(problem)
-    penetration, found = solve_pressures(problem, contact.equations, tables, state, force, by_penetration,
-                                         yawed)
-    if found == 1:
-        correct_lengths(tables, problem, penetration, power, yawed, whole)
-    return penetration, found
+    return solve_pressures(problem, contact.equations, tables, state, force, by_penetration,
+                           is_yawed(contact.frame))
