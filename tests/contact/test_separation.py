@@ -203,9 +203,9 @@ def assert_all_valid(rail, shifts, yaws):
                                          lateral_curvature=lateral, normal_model=model)
         found = system.evaluate_many(shift, yaw)
         failed = found.status != 0
-        if (kind, lateral) == ("vertical", "rough"):
-            # curvatures of one point each on distances that rise suddenly in the flange root: the load is no
-            # function of the depth there, 0.4 ... 1.3 MN and 0.3 MN again within 0.05 mm
+        if kind == "vertical" and lateral != "adaptive":
+            # curvatures that were prepared, on distances that rise suddenly in the flange root: the load is
+            # no function of the depth there; with rough ones 0.4 ... 1.3 MN and 0.3 MN again within 0.05 mm
             assert np.all(found.status[failed] == 3) and np.all(np.abs(shift[failed]) > 6e-3), system
             assert failed.mean() < 1e-3, system
         else:
