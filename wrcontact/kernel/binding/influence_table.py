@@ -6,8 +6,8 @@ eta beside it by a factor times
     Phi(t, e) = integral from -1 to 1 of sqrt(1 - v^2) / sqrt((v - e)^2 + t^2) dv,   t = eta / a,  e = x / a
 
 and a strip that reaches from -T to T on average by the mean of Phi over 0 < t < T.  The table holds both,
-over sqrt(t / (1 + t)) and e^2 / (1 + e^2): value and slope along the first at even steps, for cubics, with
-straight lines along the second.  Numpy alone, because an FMU makes this table on a machine that may have
+over sqrt(t / (1 + t)) and e^2 / (1 + e^2): parabolas along the first in even cells, joined with one slope,
+and straight lines along the second.  Numpy alone, because an FMU makes this table on a machine that may have
 nothing else. Witness in tests: the integral itself.
 """
 
@@ -59,10 +59,10 @@ def mean_influence(t, e):
 
 
 def map_of(function):
-    """Parabolas (a + b x + c x^2 for 0 <= x <= 1) of a function of t and e in the cells, the columns one after
+    """Parabolas a + b x + c x^2, 0 <= x <= 1, of a function of t and e in the cells (n,), the columns one after
     the other.
 
-    Two cells between nodes, where the parabolas have the function's value and slope.
+    Two cells lie between nodes, where the parabolas have the function's value and slope.
     """
     nodes = INFLUENCE_CELLS // 2
     u = np.arange(nodes + 1) / nodes

@@ -8,6 +8,9 @@ from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
 #: the largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure
 #: +14 %), 0.45 joins what is separate.
 MERGE: Final[float] = 0.3
+#: A hump of the overlap that rises by less over the saddle beside it is none [m]: joints of profiles leave such
+#: ones, and whether they are found would hang on where the overlap is sampled.
+LEAST_HUMP: Final[float] = 1e-9
 #: Deepest points closer than this on the rail are one [m].
 SAME_POINT: Final[float] = 1e-6
 
@@ -107,13 +110,16 @@ def drop_point(overlap: Overlap, entry: int):
 
 
 def merge_points(overlap: Overlap):
-    """Join points with a low saddle between them, and keep the deepest REGION_LIMIT."""
+    """Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT."""
     depth = overlap.points[deepest_entry(overlap)].depth
     entry = 0
     while entry < overlap.count - 1:
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        if depth - point.between < MERGE * depth:
+        lower = point.depth
+        if lower > following.depth:
+            lower = following.depth
+        if depth - point.between < MERGE * depth or lower - point.between < LEAST_HUMP:
             less = entry
             if point.depth > following.depth:
                 less = entry + 1

@@ -151,13 +151,14 @@ static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t
     return INT64_C(0);
 }
 
-/* Join points with a low saddle between them, and keep the deepest REGION_LIMIT. */
+/* Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT. */
 static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
 {
     double depth;
     int64_t entry;
     int64_t point;
     int64_t following;
+    double lower;
     int64_t less;
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
     entry = INT64_C(0);
@@ -165,7 +166,12 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        if (depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth)
+        lower = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
+        if (lower > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))
+        {
+            lower = (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH));
+        }
+        if ((depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth) || (lower - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__LEAST_HUMP))
         {
             less = entry;
             if ((*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))

@@ -10,6 +10,7 @@
 #include "layout.h"
 
 static const double deep_points__MERGE = 0.3;
+static const double deep_points__LEAST_HUMP = 1e-09;
 static const double deep_points__SAME_POINT = 1e-06;
 
 static OUT_OF_LINE int64_t deep_points__copy_point(array_double_1d work, int64_t point, int64_t copy);
