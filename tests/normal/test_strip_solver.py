@@ -99,7 +99,7 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
     penetration, area and pressure (3,)."""
     tables, work, state, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
     contact = work.contact
-    contact.frame.plane.cos, contact.frame.sunk = 1.0, True
+    contact.frame.plane.cos, contact.frame.sunk, contact.filling = 1.0, True, True
     contact.regions[0].curvature = 2.0 * A
     problem = contact.strip_problem
     problem.penetration = exact

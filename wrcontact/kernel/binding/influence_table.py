@@ -59,8 +59,8 @@ def mean_influence(t, e):
 
 
 def map_of(function):
-    """Parabolas a + b x + c x^2, 0 <= x <= 1, of a function of t and e in the cells (n,), the columns one after
-    the other.
+    """Parabolas a + b x + c x^2, 0 <= x <= 1, of a function of t and e in the cells (n,), column by
+    column.
 
     Two cells lie between nodes, where the parabolas have the function's value and slope.
     """
