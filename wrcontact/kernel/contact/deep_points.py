@@ -8,8 +8,8 @@ from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
 #: the largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure
 #: +14 %), 0.45 joins what is separate.
 MERGE: Final[float] = 0.3
-#: A hump of the overlap that rises by less over the saddle beside it is none [m]: joints of profiles leave such
-#: ones, and whether they are found would hang on where the overlap is sampled.
+#: A hump of the overlap that rises by less over the saddle beside it is none [m]: joints of profiles leave
+#: some, and whether they are found would hang on where the overlap is sampled.
 LEAST_HUMP: Final[float] = 1e-9
 #: Deepest points closer than this on the rail are one [m].
 SAME_POINT: Final[float] = 1e-6
