@@ -77,12 +77,11 @@ static inline double strip_lengths__correct_strip(array_double_1d tables, array_
     return half * strip_lengths__corrected(ratio, power);
 }
 
-/* Line load, square of the corrected half-length, pressure and lead of every strip; where ``following``,
- * every second strip of a run is corrected as its neighbours are.
+/* Line load, square of the corrected half-length, pressure and lead of every strip.
  *
  * The line load stays, and the pressure follows from the corrected half-length.
  */
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, int64_t yawed, int64_t following)
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, int64_t yawed)
 {
     int64_t count;
     double scale;
@@ -104,26 +103,13 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
         if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
         {
-            if ((following == INT64_C(0)) || (strip_lengths__has_pairs(work, count, i) == INT64_C(0)))
-            {
-                half = strip_lengths__correct_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, power, yawed);
-                (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-            }
+            half = strip_lengths__correct_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, power, yawed);
             (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > largest)
             {
                 largest = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            }
-        }
-    }
-    if (following == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            if (strip_lengths__has_pairs(work, count, i) == INT64_C(1))
-            {
-                strip_lengths__follow_neighbours(work, i);
             }
         }
     }
@@ -146,58 +132,6 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = 2.0 / M_PI * (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / ((*cspan_at(&work, strip + layout__STRIP_BREADTH)) * sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE))));
         }
     }
-    return INT64_C(0);
-}
-
-/* 1 for every second strip that has two loaded strips beside it on both sides, all of which touch, else
- * 0.
- */
-static inline int64_t strip_lengths__has_pairs(array_double_1d work, int64_t count, int64_t i)
-{
-    int64_t j;
-    int64_t answer;
-    answer = INT64_C(0);
-    if ((pyc_modulo(i, INT64_C(2)) == INT64_C(1)) && (i > INT64_C(2)) && (i < count - INT64_C(2)))
-    {
-        answer = INT64_C(1);
-        for (j = i - INT64_C(2); j < i + INT64_C(2); j += INT64_C(1))
-        {
-            if (!(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_JOINED)) == 1.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) > 0.0)))
-            {
-                answer = INT64_C(0);
-            }
-        }
-        if (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(2)) + layout__STRIP_Y)) > 0.0))
-        {
-            answer = INT64_C(0);
-        }
-    }
-    return answer;
-}
-
-/* Correct half-length and lead of strip ``i`` as those of the strips beside it, on straight lines between
- * these.
- */
-static inline int64_t strip_lengths__follow_neighbours(array_double_1d work, int64_t i)
-{
-    int64_t before;
-    int64_t strip;
-    int64_t after;
-    double share;
-    double correction;
-    double change;
-    double half;
-    double move;
-    before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1));
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1));
-    share = ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, before + layout__STRIP_STATION))) / ((*cspan_at(&work, after + layout__STRIP_STATION)) - (*cspan_at(&work, before + layout__STRIP_STATION)));
-    correction = sqrt((*cspan_at(&work, before + layout__STRIP_HALF_LENGTH_SQUARE))) / (*cspan_at(&work, before + layout__STRIP_HALF_LENGTH));
-    change = sqrt((*cspan_at(&work, after + layout__STRIP_HALF_LENGTH_SQUARE))) / (*cspan_at(&work, after + layout__STRIP_HALF_LENGTH)) - correction;
-    half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (correction + share * change);
-    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-    move = (*cspan_at(&work, before + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, before + layout__STRIP_LEAD));
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move + share * ((*cspan_at(&work, after + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, after + layout__STRIP_LEAD)) - move);
     return INT64_C(0);
 }
 

@@ -23,10 +23,8 @@ static const double strip_lengths__SQUARE = 0.5;
 static inline double strip_lengths__gap_beside(array_double_1d work, int64_t strip, double x);
 static inline double strip_lengths__corrected(double ratio, double power);
 static inline double strip_lengths__correct_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double penetration, double power, int64_t yawed);
-static inline int64_t strip_lengths__has_pairs(array_double_1d work, int64_t count, int64_t i);
-static inline int64_t strip_lengths__follow_neighbours(array_double_1d work, int64_t i);
 static inline double strip_lengths__neighbouring_length(array_double_1d work, int64_t count, int64_t i);
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, int64_t yawed, int64_t following);
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, int64_t yawed);
 static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t count);
 static inline int64_t strip_lengths__adopt_lengths(array_double_1d work);
 

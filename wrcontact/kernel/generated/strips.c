@@ -50,7 +50,7 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
             (*result_1) = found;
             return 0;
         }
-        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, contact_plane__is_yawed(work), INT64_C(0));
+        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, contact_plane__is_yawed(work));
         strip_lengths__adopt_lengths(work);
     }
     strip_layout__strip_cells(work);
@@ -63,7 +63,7 @@ static inline int64_t strips__first_layout(double* result_0, int64_t* result_1, 
  *
  * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
  * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
- * alone: every second strip of a run follows its neighbours there.
+ * alone.
  */
 static inline int64_t strips__second_layout(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, int64_t by_penetration)
 {
@@ -99,7 +99,7 @@ static inline int64_t strips__second_layout(double* result_0, int64_t* result_1,
         }
         if ((last == INT64_C(0)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, contact_plane__is_yawed(work), last);
+            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, contact_plane__is_yawed(work));
         }
         if (last == INT64_C(0))
         {

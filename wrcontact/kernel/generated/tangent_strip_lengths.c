@@ -165,7 +165,7 @@ static inline int64_t tangent_strip_lengths__correct_strip_t(double* result_0, d
 }
 
 /* Tangent of ``correct_lengths``. */
-static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double power, double power_t, int64_t yawed, int64_t following)
+static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double power, double power_t, int64_t yawed)
 {
     int64_t count;
     double scale;
@@ -214,19 +214,16 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
         if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
         {
-            if ((following == INT64_C(0)) || (strip_lengths__has_pairs(work, count, i) == INT64_C(0)))
-            {
-                tangent_strip_lengths__correct_strip_t(&v1, &v1_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, penetration_t, power, power_t, yawed);
-                half_t = v1_t;
-                half = v1;
-                (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
-                (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-            }
+            tangent_strip_lengths__correct_strip_t(&v1, &v1_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, penetration_t, power, power_t, yawed);
+            half_t = v1_t;
+            half = v1;
             v2 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
             v3 = v2 * (*cspan_at(&work, strip + layout__STRIP_Y));
             v4 = v3 / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, strip + layout__STRIP_Y)) - v4 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = v4;
+            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
+            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
             v5 = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = ((*cspan_at(&work_t, strip + layout__STRIP_Y)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v5;
@@ -234,16 +231,6 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
             {
                 largest_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
                 largest = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            }
-        }
-    }
-    if (following == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            if (strip_lengths__has_pairs(work, count, i) == INT64_C(1))
-            {
-                tangent_strip_lengths__follow_neighbours_t(work, work_t, i);
             }
         }
     }
@@ -282,60 +269,6 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v16;
         }
     }
-    return INT64_C(0);
-}
-
-/* Tangent of ``follow_neighbours``. */
-static inline int64_t tangent_strip_lengths__follow_neighbours_t(array_double_1d work, array_double_1d work_t, int64_t i)
-{
-    int64_t before;
-    int64_t strip;
-    int64_t after;
-    double v1;
-    double v2;
-    double v3;
-    double share_t;
-    double share;
-    double v4;
-    double v5;
-    double correction_t;
-    double correction;
-    double v6;
-    double v7;
-    double change_t;
-    double change;
-    double v8;
-    double half_t;
-    double half;
-    double move_t;
-    double move;
-    double v9;
-    before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1));
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1));
-    v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, before + layout__STRIP_STATION));
-    v2 = (*cspan_at(&work, after + layout__STRIP_STATION)) - (*cspan_at(&work, before + layout__STRIP_STATION));
-    v3 = v1 / v2;
-    share_t = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, before + layout__STRIP_STATION)) - v3 * ((*cspan_at(&work_t, after + layout__STRIP_STATION)) - (*cspan_at(&work_t, before + layout__STRIP_STATION)))) / v2;
-    share = v3;
-    v4 = sqrt((*cspan_at(&work, before + layout__STRIP_HALF_LENGTH_SQUARE)));
-    v5 = v4 / (*cspan_at(&work, before + layout__STRIP_HALF_LENGTH));
-    correction_t = (tangent_rates__root_rate(v4, (*cspan_at(&work_t, before + layout__STRIP_HALF_LENGTH_SQUARE))) - v5 * (*cspan_at(&work_t, before + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, before + layout__STRIP_HALF_LENGTH));
-    correction = v5;
-    v6 = sqrt((*cspan_at(&work, after + layout__STRIP_HALF_LENGTH_SQUARE)));
-    v7 = v6 / (*cspan_at(&work, after + layout__STRIP_HALF_LENGTH));
-    change_t = (tangent_rates__root_rate(v6, (*cspan_at(&work_t, after + layout__STRIP_HALF_LENGTH_SQUARE))) - v7 * (*cspan_at(&work_t, after + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, after + layout__STRIP_HALF_LENGTH)) - correction_t;
-    change = v7 - correction;
-    v8 = correction + share * change;
-    half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * v8 + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (correction_t + (share_t * change + share * change_t));
-    half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * v8;
-    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
-    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-    move_t = (*cspan_at(&work_t, before + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work_t, before + layout__STRIP_LEAD));
-    move = (*cspan_at(&work, before + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, before + layout__STRIP_LEAD));
-    v9 = (*cspan_at(&work, after + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, after + layout__STRIP_LEAD)) - move;
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + move_t + (share_t * v9 + share * ((*cspan_at(&work_t, after + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work_t, after + layout__STRIP_LEAD)) - move_t));
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move + share * v9;
     return INT64_C(0);
 }
 

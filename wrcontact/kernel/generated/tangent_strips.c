@@ -38,7 +38,7 @@ static inline int64_t tangent_strips__first_layout_t(double* result_0, double* r
             (*result_2) = found;
             return 0;
         }
-        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, contact_plane__is_yawed(work), INT64_C(0));
+        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, contact_plane__is_yawed(work));
         tangent_strip_lengths__adopt_lengths_t(work, work_t);
     }
     tangent_strip_layout__strip_cells_t(work, work_t);
@@ -86,7 +86,7 @@ static inline int64_t tangent_strips__second_layout_t(double* result_0, double* 
         }
         if ((last == INT64_C(0)) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, contact_plane__is_yawed(work), last);
+            tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, contact_plane__is_yawed(work));
         }
         if (last == INT64_C(0))
         {

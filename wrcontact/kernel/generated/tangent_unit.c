@@ -40,7 +40,6 @@
 #include "strip_edges.c"
 #include "strip_influence.c"
 #include "strip_layout.c"
-#include "strip_lengths.c"
 #include "table_cell.c"
 #include "tangent_analyn.c"
 #include "tangent_analyn_contact.c"

@@ -67,10 +67,8 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
     return half * corrected(ratio, power)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int,
-                    following: int):
-    """Line load, square of the corrected half-length, pressure and lead of every strip; where ``following``,
-    every second strip of a run is corrected as its neighbours are.
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int):
+    """Line load, square of the corrected half-length, pressure and lead of every strip.
 
     The line load stays, and the pressure follows from the corrected half-length.
     """
@@ -85,17 +83,12 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         strip.pressure = 0.0
         strip.next_lead = strip.lead
         if strip.y > 0.0:
-            if following == 0 or has_pairs(strips, count, i) == 0:
-                half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
-                strip.half_length_square = half * half
+            half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
             strip.line_load = scale * strip.half_length * strip.y / strip.width
+            strip.half_length_square = half * half
             strip.pressure = strip.y / strip.breadth
             if strip.pressure > largest:
                 largest = strip.pressure
-    if following == 1:
-        for i in range(count):
-            if has_pairs(strips, count, i) == 1:
-                follow_neighbours(strips, i)
     for i in range(count):
         strip = strips[i]
         share = strip.pressure / (LIGHT * largest)
@@ -108,36 +101,6 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         if strip.y > 0.0:
             strip.pressure = 2.0 / pi * strip.line_load * strip.width / (strip.breadth
                                                                          * sqrt(strip.half_length_square))
-    return 0
-
-
-def has_pairs(strips: Strips, count: int, i: int):
-    """1 for every second strip that has two loaded strips beside it on both sides, all of which touch, else
-    0."""
-    answer = 0
-    if i % 2 == 1 and i > 2 and i < count - 2:
-        answer = 1
-        for j in range(i - 2, i + 2):
-            if not (strips[j].joined and strips[j].y > 0.0):
-                answer = 0
-        if not strips[i + 2].y > 0.0:
-            answer = 0
-    return answer
-
-
-def follow_neighbours(strips: Strips, i: int):
-    """Correct half-length and lead of strip ``i`` as those of the strips beside it, on straight lines between
-    these."""
-    before = strips[i - 1]
-    strip = strips[i]
-    after = strips[i + 1]
-    share = (strip.station - before.station) / (after.station - before.station)
-    correction = sqrt(before.half_length_square) / before.half_length
-    change = sqrt(after.half_length_square) / after.half_length - correction
-    half = strip.half_length * (correction + share * change)
-    strip.half_length_square = half * half
-    move = before.next_lead - before.lead
-    strip.next_lead = strip.lead + move + share * (after.next_lead - after.lead - move)
     return 0
 
 

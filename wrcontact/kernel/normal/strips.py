@@ -59,7 +59,7 @@ def first_layout(tables: Tables, contact: Contact, state: State, count: int, for
         penetration, found = solve_strips(tables, contact, state, force, by_penetration)
         if found == 0:
             return penetration, found
-        correct_lengths(tables, problem, penetration, FIRST_POWER, is_yawed(contact.frame), 0)
+        correct_lengths(tables, problem, penetration, FIRST_POWER, is_yawed(contact.frame))
         adopt_lengths(problem)
     strip_cells(problem)
     return penetration, found
@@ -71,7 +71,7 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
 
     Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
     that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
-    alone: every second strip of a run follows its neighbours there.
+    alone.
     """
     problem = contact.strip_problem
     lay_strips(tables, contact, state, count, tables.strips)
@@ -89,7 +89,7 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
         if found == 0:
             return penetration, found
         if last == 0 or contact.filling:
-            correct_lengths(tables, problem, penetration, POWER, is_yawed(contact.frame), last)
+            correct_lengths(tables, problem, penetration, POWER, is_yawed(contact.frame))
         if last == 0:
             adopt_lengths(problem)
     return penetration, found
