@@ -59,7 +59,7 @@ CASES = {
     "vertical load": ({"load": "vertical"}, 1e-3),
     "strip": ({"normal_model": "analyn_strip"}, 2e-3),
     "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
-    "elastic": ({"contact_mode": "elastic"}, 1e-3),
+    "elastic": ({"contact_mode": "elastic"}, 1.5e-3),
     "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 1e-2),
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),

@@ -4,7 +4,7 @@ inputs, rates of functions."""
 #: What stands in for an iteration when the kernel is differentiated: a function of RULE_MODULES.
 RULES = {
     "zone_width": "width_rule", "solve_penetrations": "penetrations_rule", "move_arc": "arc_rule",
-    "move_chord": "chord_rule", "move_across": "across_rule", "normal_line": "line_rule",
+    "move_chord": "chord_rule", "move_across": "across_rule", "meet_wheel": "meet_rule",
     "find_overlaps": "overlaps_rule",
 }
 #: Called as they are: they look for places from which an iteration starts.

@@ -10,7 +10,6 @@ from typing import Final
 
 from ..layout import (
     OVERLAP_LIMIT,
-    Frame,
     Overlap,
     Place,
     RisePoint,
@@ -26,7 +25,7 @@ from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
-from .pressed import LINE_SHARP, normal_line
+from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel
 from .touching import turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
@@ -47,7 +46,7 @@ FAR_STEP: Final[float] = 1e-3
 WIDENINGS: Final[int] = 6
 
 
-def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, state: State,
                   height: float):
     """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
     number."""
@@ -61,15 +60,15 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
     stop = walk_overlap(tables, samples, place, state, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            list_in_cell(tables, frame, overlap, place, entry)
-    list_beside_smallest_gap(tables, frame, overlap, side)
+            list_in_cell(tables, overlap, place, entry)
+    list_beside_smallest_gap(tables, overlap, side)
     if overlap.count > 0:
-        find_saddles(tables, frame, overlap, place)
+        find_saddles(tables, overlap, place)
         merge_points(overlap)
     return overlap.count
 
 
-def list_in_cell(tables: Tables, frame: Frame, overlap: Overlap, place: Place, entry: int):
+def list_in_cell(tables: Tables, overlap: Overlap, place: Place, entry: int):
     """List the deepest points between the sample ``entry`` and the next one."""
     samples = overlap.samples
     rise = samples.rise[entry]
@@ -87,21 +86,21 @@ def list_in_cell(tables: Tables, frame: Frame, overlap: Overlap, place: Place, e
         if stretch.known == entry:
             copy_rise(stretch.end, stretch.first)
         else:
-            measure_rise(tables, frame, overlap, place, stretch.first, samples.wheel[entry])
-        measure_rise(tables, frame, overlap, place, stretch.last, samples.wheel[entry + 1])
+            measure_rise(tables, overlap, place, stretch.first, samples.wheel[entry])
+        measure_rise(tables, overlap, place, stretch.last, samples.wheel[entry + 1])
         copy_rise(stretch.last, stretch.end)
         stretch.known = entry + 1
         finest = HIDDEN_PART
     elif stretch.least > 0.0:
-        listed = list_turning_point(tables, frame, overlap, place, stretch.first.x, stretch.last.x,
+        listed = list_turning_point(tables, overlap, place, stretch.first.x, stretch.last.x,
                                     stretch.wheel)
     else:
         widen_bounds(tables, overlap, place, entry)
     if listed == 0:
         if hidden == 0:
             stretch.least = min(stretch.least, 0.0)
-            widen_stretch(tables, frame, overlap, place)
-        list_on_stretch(tables, frame, overlap, place, finest)
+            widen_stretch(tables, overlap, place)
+        list_on_stretch(tables, overlap, place, finest)
     return 0
 
 
@@ -133,11 +132,11 @@ def set_point(point: RisePoint, x: float, rise: float, rate: float):
     return 0
 
 
-def measure_rise(tables: Tables, frame: Frame, overlap: Overlap, place: Place, point: RisePoint, y: float):
+def measure_rise(tables: Tables, overlap: Overlap, place: Place, point: RisePoint, y: float):
     """Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
     is none."""
-    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, point.x, y, overlap.height,
-                                                         LINE_SHARP)
+    y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, point.x, y, overlap.height,
+                                                                   NODE_SHARP)
     point.rise = 0.0
     point.rate = 0.0
     if found == 1:
@@ -170,11 +169,11 @@ def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
     return 0
 
 
-def list_turning_point(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float,
+def list_turning_point(tables: Tables, overlap: Overlap, place: Place, low: float,
                        high: float, y: float):
     """List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
     an overlap and it is not listed yet; 1 if there is a turning point, else 0."""
-    rail, wheel, depth, turned = turning_point(tables, frame, place, low, high, y, overlap.height, 1.0)
+    rail, wheel, depth, turned = turning_point(tables, place, low, high, y, overlap.height, 1.0)
     if turned == 1 and depth > 0.0 and is_listed(overlap, rail) == 0:
         append_point(overlap, rail, wheel, depth)
     return turned
@@ -197,21 +196,21 @@ def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
     return answer
 
 
-def widen_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
+def widen_stretch(tables: Tables, overlap: Overlap, place: Place):
     """Widen the stretch until the overlap rises from its first end and falls to its last one: the samples are
     straight down, and their slope may change its sign a little before the overlap along the normal has its
     maximum."""
     stretch = overlap.stretch
     step = stretch.last.x - stretch.first.x
-    low = bracket_end(tables, frame, overlap, place, stretch.first.x, -step)
-    high = bracket_end(tables, frame, overlap, place, stretch.last.x, step)
+    low = bracket_end(tables, overlap, place, stretch.first.x, -step)
+    high = bracket_end(tables, overlap, place, stretch.last.x, step)
     stretch.width *= (high - low) / step
     stretch.first.x = low
     stretch.last.x = high
     return 0
 
 
-def bracket_end(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x: float, step: float):
+def bracket_end(tables: Tables, overlap: Overlap, place: Place, x: float, step: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
     side."""
     rail = tables.rail
@@ -221,15 +220,15 @@ def bracket_end(tables: Tables, frame: Frame, overlap: Overlap, place: Place, x:
             return rail.start
         if x >= rail.stop:
             return rail.stop
-        y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, overlap.height,
-                                                             LINE_SHARP)
+        y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, overlap.height,
+                                                                       LINE_SHARP)
         if found == 0 or rise * step < 0.0:
             break
         x += step
     return x
 
 
-def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place, finest: int):
+def list_on_stretch(tables: Tables, overlap: Overlap, place: Place, finest: int):
     """List the deepest points on the stretch: on nearly conformal profiles the joints of their arcs leave
     several, of which a bracket by itself would end at either.
 
@@ -247,7 +246,7 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
         stop = start + size
         if stop < PARTS:
             after.x = stretch.first.x + each * float(stop)
-            measure_rise(tables, frame, overlap, place, after, wheel_beside(stretch, float(stop)))
+            measure_rise(tables, overlap, place, after, wheel_beside(stretch, float(stop)))
         else:
             copy_rise(stretch.last, after)
         once = turns_once(stretch, float(size) / float(PARTS))
@@ -255,10 +254,10 @@ def list_on_stretch(tables: Tables, frame: Frame, overlap: Overlap, place: Place
             size = size // 2
         else:
             if before.rise > 0.0 and after.rise <= 0.0:
-                list_turning_point(tables, frame, overlap, place, before.x, after.x,
+                list_turning_point(tables, overlap, place, before.x, after.x,
                                    wheel_beside(stretch, 0.5 * float(start + stop)))
             elif once == 0:
-                list_hidden_point(tables, frame, overlap, place)
+                list_hidden_point(tables, overlap, place)
             copy_rise(after, before)
             start = stop
             while start < PARTS and size < PARTS and start % (2 * size) == 0:
@@ -285,7 +284,7 @@ def turns_once(stretch: Stretch, share: float):
     return answer
 
 
-def list_hidden_point(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
+def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
     """List the deepest point of a hump on the open part if the overlap rises, or falls, at both ends of it.
 
     A rise that bends one way, or has one kink, is nowhere beyond its tangents at both ends.  While those
@@ -310,12 +309,12 @@ def list_hidden_point(tables: Tables, frame: Frame, overlap: Overlap, place: Pla
         if not (step > 0.0 and step < width):
             step = 0.5 * width
         middle.x = low.x + step
-        measure_rise(tables, frame, overlap, place, middle, stretch.wheel)
+        measure_rise(tables, overlap, place, middle, stretch.wheel)
         if sign * middle.rise < 0.0:
             if sign > 0.0:
-                list_turning_point(tables, frame, overlap, place, low.x, middle.x, stretch.wheel)
+                list_turning_point(tables, overlap, place, low.x, middle.x, stretch.wheel)
             else:
-                list_turning_point(tables, frame, overlap, place, middle.x, high.x, stretch.wheel)
+                list_turning_point(tables, overlap, place, middle.x, high.x, stretch.wheel)
             return 0
         if sign * middle.rate < 0.0:
             copy_rise(middle, low)
@@ -324,7 +323,7 @@ def list_hidden_point(tables: Tables, frame: Frame, overlap: Overlap, place: Pla
     return 0
 
 
-def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch):
+def list_beside_smallest_gap(tables: Tables, overlap: Overlap, side: SideSearch):
     """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
     between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
     times."""
@@ -332,8 +331,8 @@ def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, sid
     z, slope = height_slope(tables.wheel, side.best_y)
     y_track, z_track, outline_slope = outline_point(place, side.best_y, z, slope)
     x = y_track - tables.rail_y
-    y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, x, side.best_y, overlap.height,
-                                                         LINE_SHARP)
+    y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, side.best_y,
+                                                                   overlap.height, LINE_SHARP)
     deepest = 0.0
     if overlap.count > 0:
         deepest = overlap.points[deepest_entry(overlap)].depth
@@ -344,15 +343,15 @@ def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, sid
         far = x
         while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found == 1:
             far += step
-            y, depth, rise, bend, curvature, found = normal_line(tables, frame, place, far, y, overlap.height,
-                                                                 LINE_SHARP)
+            y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, far, y,
+                                                                           overlap.height, LINE_SHARP)
             step *= 2.0
         low = x
         high = far
         if far < x:
             low = far
             high = x
-        rail, wheel, depth, turned = turning_point(tables, frame, place, low, high, side.best_y,
+        rail, wheel, depth, turned = turning_point(tables, place, low, high, side.best_y,
                                                   overlap.height, 1.0)
         if turned == 1 and depth > deepest:
             append_point(overlap, rail, wheel, depth)
@@ -360,12 +359,12 @@ def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, sid
     return 0
 
 
-def find_saddles(tables: Tables, frame: Frame, overlap: Overlap, place: Place):
+def find_saddles(tables: Tables, overlap: Overlap, place: Place):
     """The smallest overlap between neighbouring deepest points."""
     for entry in range(overlap.count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth, turned = turning_point(tables, frame, place, point.rail, following.rail,
+        x, y, depth, turned = turning_point(tables, place, point.rail, following.rail,
                                             0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
         point.saddle = x
         point.between = depth

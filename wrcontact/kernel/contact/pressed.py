@@ -44,10 +44,20 @@ LEAST_WAY: Final[float] = 1e-5
 
 def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
                 tolerance: float):
+    """As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
+    1/R_x; and 1 if there is such a point, else 0."""
+    y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
+    curvature = 0.0
+    if found == 1:
+        curvature = longitudinal_curvature(tables, place, z, slope, mean_bend(tables, frame, y, bend))
+    return y, overlap, rise, rate, curvature, found
+
+
+def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
-    moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m], its
-    derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else
-    0."""
+    moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
+    derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
+    1/m]; and 1 if there is such a point, else 0."""
     wheel = tables.wheel
     z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
@@ -60,7 +70,7 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
         residual = across + down * m
         along = stretch * (1.0 + m * outline_slope)
         if not (along > 0.0 and stretch > 0.0):
-            return y, 0.0, 0.0, 0.0, 0.0, 0
+            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
         move = -residual / along
         sharp = tolerance
         if i == LINE_ITERATIONS - 1 and sharp < LINE_JOINT:
@@ -68,7 +78,7 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
         if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
             if not fabs(overlap) < FARTHEST:
-                return y, 0.0, 0.0, 0.0, 0.0, 0
+                return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
             rise = (outline_slope - m) / (1.0 + m * outline_slope)
             # the angle between both curves changes by the wheel's curvature over its own arc less the rail's
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope)
@@ -83,16 +93,15 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
             z += slope * move
             slope += bend * move
             relative_kappa = wheel_kappa * sqrt(steep) - kappa
-            curvature = longitudinal_curvature(tables, place, z, slope, mean_bend(tables, frame, y, bend))
-            return y, overlap, rise, steep * relative_kappa, curvature, 1
+            return y, overlap, rise, steep * relative_kappa, z, slope, bend, 1
         if move > LINE_STEP:
             move = LINE_STEP
         if move < -LINE_STEP:
             move = -LINE_STEP
         y += move
         if not (y >= wheel.start and y <= wheel.stop):
-            return y, 0.0, 0.0, 0.0, 0.0, 0
-    return y, 0.0, 0.0, 0.0, 0.0, 0
+            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
+    return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
 
 
 def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):

@@ -48,7 +48,7 @@ def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch,
     """Press the wheel of the open frame, which just touches, straight down until its contact point is
     ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail."""
     height = frame.shift + penetration / frame.plane.cos
-    count = find_overlaps(tables, frame, overlap, side, state, height)
+    count = find_overlaps(tables, overlap, side, state, height)
     press_frame(frame, height, penetration, 0.0)
     frame.sunk = True
     return count

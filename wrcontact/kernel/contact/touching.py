@@ -15,7 +15,7 @@ from typing import Final
 
 from ..layout import Frame, Place, Tables
 from ..surface.profile_table import height_slope
-from .pressed import LINE_SHARP, normal_line
+from .pressed import LINE_SHARP, meet_wheel
 
 #: A deepest point is located to this on the rail [m], so that differences of its place between poses are its
 #: derivatives; its depth, being second order, asks for less.
@@ -38,7 +38,7 @@ def limited(step: float, limit: float):
     return step
 
 
-def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: float, y: float,
+def turning_point(tables: Tables, place: Place, low: float, high: float, y: float,
                   height: float, sign: float):
     """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
     abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
@@ -55,7 +55,8 @@ def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: 
     moved_low = 0
     moved_high = 0
     for i in range(DEEP_ITERATIONS):
-        y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, x, y, height, LINE_SHARP)
+        y, overlap, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, height,
+                                                                         LINE_SHARP)
         if found == 0:
             return x, y, overlap, 0
         if sign * rise > 0.0:

@@ -138,11 +138,12 @@ static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_do
     double depth;
     double rise;
     double bend;
-    double curvature;
+    double z;
+    double slope;
+    double wheel_bend;
     int64_t found;
     double z_rail;
-    double slope;
-    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__NODE_SHARP);
     (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = 0.0;
     (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = 0.0;
     if (found == INT64_C(1))
@@ -263,7 +264,9 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     double depth;
     double rise;
     double bend;
-    double curvature;
+    double z;
+    double slope;
+    double wheel_bend;
     int64_t found;
     double result;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
@@ -280,7 +283,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
             result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
             return result;
         }
-        pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+        pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
         if ((found == INT64_C(0)) || (rise * step < 0.0))
         {
             break;
@@ -454,7 +457,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     double depth;
     double rise;
     double bend;
-    double curvature;
+    double wheel_bend;
     int64_t found;
     double deepest;
     double step;
@@ -468,7 +471,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
     x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
     deepest = 0.0;
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
@@ -485,7 +488,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
         while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && (found == INT64_C(1)))
         {
             far += step;
-            pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, far, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+            pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, far, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
             step *= 2.0;
         }
         low = x;

@@ -19,12 +19,30 @@
 
 #include "pressed.h"
 
-/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
- * moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m], its
- * derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else
- * 0.
+/* As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
+ * 1/R_x; and 1 if there is such a point, else 0.
  */
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, int64_t* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
+{
+    double z;
+    double slope;
+    double bend;
+    pressed__meet_wheel(&y, overlap, rise, rate, &z, &slope, &bend, found, work, tables, place, abscissa, y, height, tolerance);
+    (*curvature) = 0.0;
+    if ((*found) == INT64_C(1))
+    {
+        (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
+    }
+    (*result_0) = y;
+    return 0;
+}
+
+/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
+ * moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
+ * derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
+ * 1/m]; and 1 if there is such a point, else 0.
+ */
+static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, int64_t* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
 {
     int64_t wheel;
     double z_rail;
@@ -55,7 +73,6 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double rest;
     double turn;
     double relative_kappa;
-    double curvature;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     profile_table__height_slope_bend(&z_rail, &m, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
@@ -75,7 +92,9 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             (*result_2) = 0.0;
             (*result_3_0001) = 0.0;
             (*result_4) = 0.0;
-            (*result_5_0001) = INT64_C(0);
+            (*result_5) = 0.0;
+            (*result_6) = 0.0;
+            (*result_7_0001) = INT64_C(0);
             return 0;
         }
         move = (-residual) / along;
@@ -94,7 +113,9 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
                 (*result_2) = 0.0;
                 (*result_3_0001) = 0.0;
                 (*result_4) = 0.0;
-                (*result_5_0001) = INT64_C(0);
+                (*result_5) = 0.0;
+                (*result_6) = 0.0;
+                (*result_7_0001) = INT64_C(0);
                 return 0;
             }
             rise = (outline_slope - m) / (1.0 + m * outline_slope);
@@ -111,13 +132,14 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             z += slope * move;
             slope += bend * move;
             relative_kappa = wheel_kappa * sqrt(steep) - kappa;
-            curvature = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
             (*result_0_0001) = y;
             (*result_1) = overlap;
             (*result_2) = rise;
             (*result_3_0001) = steep * relative_kappa;
-            (*result_4) = curvature;
-            (*result_5_0001) = INT64_C(1);
+            (*result_4) = z;
+            (*result_5) = slope;
+            (*result_6) = bend;
+            (*result_7_0001) = INT64_C(1);
             return 0;
         }
         if (move > pressed__LINE_STEP)
@@ -136,7 +158,9 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             (*result_2) = 0.0;
             (*result_3_0001) = 0.0;
             (*result_4) = 0.0;
-            (*result_5_0001) = INT64_C(0);
+            (*result_5) = 0.0;
+            (*result_6) = 0.0;
+            (*result_7_0001) = INT64_C(0);
             return 0;
         }
     }
@@ -145,7 +169,9 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     (*result_2) = 0.0;
     (*result_3_0001) = 0.0;
     (*result_4) = 0.0;
-    (*result_5_0001) = INT64_C(0);
+    (*result_5) = 0.0;
+    (*result_6) = 0.0;
+    (*result_7_0001) = INT64_C(0);
     return 0;
 }
 

@@ -36,8 +36,9 @@ static const double pressed__LINE_STEP = 0.004;
 static const double pressed__FARTHEST = 0.005;
 static const double pressed__LEAST_WAY = 1e-05;
 
+static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, int64_t* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, int64_t* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
 
 #endif

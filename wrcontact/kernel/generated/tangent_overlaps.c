@@ -10,10 +10,14 @@ static inline int64_t tangent_overlaps__turning_rule_t(double* found_x, double* 
 {
     double rise;
     double rise_t;
+    double rate;
+    double rate_t;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
     double bend;
     double bend_t;
-    double curvature;
-    double curvature_t;
     double more;
     double more_t;
     double change;
@@ -21,10 +25,10 @@ static inline int64_t tangent_overlaps__turning_rule_t(double* found_x, double* 
     x_t = 0.0;
     (*found_x_t) = x_t;
     (*found_x) = x;
-    tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &rise, &rise_t, &bend, &bend_t, &curvature, &curvature_t, found, work, work_t, tables, place, x, x_t, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+    tangent_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &rise, &rise_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, x, x_t, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
     if ((*found) == INT64_C(1))
     {
-        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &bend, &bend_t, &curvature, &curvature_t, found, work, work_t, tables, place, x, 1.0, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+        tangent_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, x, 1.0, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
         change = more_t - rise_t;
         if (change != 0.0)
         {
@@ -32,7 +36,7 @@ static inline int64_t tangent_overlaps__turning_rule_t(double* found_x, double* 
             (*found_x_t) = (-rise_t) / change;
             (*found_x) = x;
         }
-        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &bend, &bend_t, &curvature, &curvature_t, found, work, work_t, tables, place, (*found_x), (*found_x_t), y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+        tangent_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, (*found_x), (*found_x_t), y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
     }
     (*result_2) = y;
     (*result_3) = y_t;

@@ -6,7 +6,35 @@
 #include "tangent_pressed.h"
 
 /* Tangent of ``normal_line``. */
-static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+static inline int64_t tangent_pressed__normal_line_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+{
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double bend;
+    double bend_t;
+    double v2;
+    double v2_t;
+    double v1;
+    double v1_t;
+    tangent_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, rise, rise_t, rate, rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
+    (*curvature_t) = 0.0;
+    (*curvature) = 0.0;
+    if ((*found) == INT64_C(1))
+    {
+        tangent_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, bend, bend_t);
+        tangent_longitudinal_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, v2, v2_t);
+        (*curvature_t) = v1_t;
+        (*curvature) = v1;
+    }
+    (*result_0) = y;
+    (*result_1) = y_t;
+    return 0;
+}
+
+/* Tangent of ``meet_wheel``. */
+static inline int64_t tangent_pressed__meet_wheel_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, double* result_10, double* result_11, double* result_12, double* result_13, int64_t* result_14_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
     int64_t wheel;
     double z_rail;
@@ -88,12 +116,6 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double v24;
     double relative_kappa_t;
     double relative_kappa;
-    double v26;
-    double v26_t;
-    double v25;
-    double v25_t;
-    double curvature_t;
-    double curvature;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
@@ -130,7 +152,11 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             (*result_7_0001) = 0.0;
             (*result_8) = 0.0;
             (*result_9) = 0.0;
-            (*result_10_0001) = INT64_C(0);
+            (*result_10) = 0.0;
+            (*result_11) = 0.0;
+            (*result_12) = 0.0;
+            (*result_13) = 0.0;
+            (*result_14_0001) = INT64_C(0);
             return 0;
         }
         v7 = -residual;
@@ -161,7 +187,11 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
                 (*result_7_0001) = 0.0;
                 (*result_8) = 0.0;
                 (*result_9) = 0.0;
-                (*result_10_0001) = INT64_C(0);
+                (*result_10) = 0.0;
+                (*result_11) = 0.0;
+                (*result_12) = 0.0;
+                (*result_13) = 0.0;
+                (*result_14_0001) = INT64_C(0);
                 return 0;
             }
             v10 = outline_slope - m;
@@ -203,10 +233,6 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             v24 = sqrt(steep);
             relative_kappa_t = wheel_kappa_t * v24 + wheel_kappa * tangent_rates__root_rate(v24, steep_t) - kappa_t;
             relative_kappa = wheel_kappa * v24 - kappa;
-            tangent_pressed__mean_bend_t(&v26, &v26_t, work, work_t, tables, y, y_t, bend, bend_t);
-            tangent_longitudinal_curvature__longitudinal_curvature_t(&v25, &v25_t, work, work_t, tables, place, z, z_t, slope, slope_t, v26, v26_t);
-            curvature_t = v25_t;
-            curvature = v25;
             (*result_0_0001) = y;
             (*result_1_0001) = y_t;
             (*result_2) = overlap;
@@ -215,9 +241,13 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             (*result_5) = rise_t;
             (*result_6_0001) = steep * relative_kappa;
             (*result_7_0001) = steep_t * relative_kappa + steep * relative_kappa_t;
-            (*result_8) = curvature;
-            (*result_9) = curvature_t;
-            (*result_10_0001) = INT64_C(1);
+            (*result_8) = z;
+            (*result_9) = z_t;
+            (*result_10) = slope;
+            (*result_11) = slope_t;
+            (*result_12) = bend;
+            (*result_13) = bend_t;
+            (*result_14_0001) = INT64_C(1);
             return 0;
         }
         if (move > pressed__LINE_STEP)
@@ -244,7 +274,11 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             (*result_7_0001) = 0.0;
             (*result_8) = 0.0;
             (*result_9) = 0.0;
-            (*result_10_0001) = INT64_C(0);
+            (*result_10) = 0.0;
+            (*result_11) = 0.0;
+            (*result_12) = 0.0;
+            (*result_13) = 0.0;
+            (*result_14_0001) = INT64_C(0);
             return 0;
         }
     }
@@ -258,7 +292,11 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     (*result_7_0001) = 0.0;
     (*result_8) = 0.0;
     (*result_9) = 0.0;
-    (*result_10_0001) = INT64_C(0);
+    (*result_10) = 0.0;
+    (*result_11) = 0.0;
+    (*result_12) = 0.0;
+    (*result_13) = 0.0;
+    (*result_14_0001) = INT64_C(0);
     return 0;
 }
 
@@ -359,7 +397,7 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
+        tangent_pressed__normal_line_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
         if (found == INT64_C(1))
         {
             (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap_t;
@@ -388,8 +426,8 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     return 0;
 }
 
-/* Tangent of ``line_rule``. */
-static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* bend, double* bend_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+/* Tangent of ``meet_rule``. */
+static inline int64_t tangent_pressed__meet_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* z, double* z_t, double* slope, double* slope_t, double* bend, double* bend_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
     double z_rail;
     double z_rail_t;
@@ -397,10 +435,6 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     double m_t;
     double rail_bend;
     double rail_bend_t;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
     double y_track;
     double y_track_t;
     double z_track;
@@ -409,31 +443,31 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     double outline_slope_t;
     double stretch;
     double stretch_t;
-    double rate;
-    double rate_t;
     double v1;
     double residual_t;
     double residual;
     double v2;
     double v3;
-    pressed__normal_line(&y, overlap, rise, bend, curvature, found, work, tables, place, abscissa, y, height, tolerance);
+    pressed__meet_wheel(&y, overlap, rise, rate, z, slope, bend, found, work, tables, place, abscissa, y, height, tolerance);
     y_t = 0.0;
     (*overlap_t) = 0.0;
     (*rise_t) = 0.0;
+    (*rate_t) = 0.0;
+    (*z_t) = 0.0;
+    (*slope_t) = 0.0;
     (*bend_t) = 0.0;
-    (*curvature_t) = 0.0;
     if ((*found) == INT64_C(1))
     {
         tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, (*bend), (*bend_t));
+        tangent_profile_table__height_slope_bend_t(z, z_t, slope, slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, rate, rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), (*bend), (*bend_t));
         v1 = z_track + height - z_rail;
         residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
         residual = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa + v1 * m;
         v2 = -residual;
         v3 = stretch * (1.0 + m * outline_slope);
         y_t = (-residual_t) / v3;
-        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, rise, rise_t, bend, bend_t, curvature, curvature_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
+        tangent_pressed__meet_wheel_t(&y, &y_t, overlap, overlap_t, rise, rise_t, rate, rate_t, z, z_t, slope, slope_t, bend, bend_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     (*result_0) = y;
     (*result_1) = y_t;

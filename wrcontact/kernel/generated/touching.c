@@ -46,11 +46,12 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     int64_t moved_high;
     int64_t i;
     double bend;
-    double curvature;
+    double z;
+    double slope;
+    double wheel_bend;
     int64_t found;
     double following;
     double z_rail;
-    double slope;
     double newton;
     int64_t turned;
     x = 0.5 * (low + high);
@@ -61,7 +62,7 @@ static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* res
     moved_high = INT64_C(0);
     for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
+        pressed__meet_wheel(&y, &overlap, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
         if (found == INT64_C(0))
         {
             (*result_0) = x;

@@ -8,7 +8,7 @@ from ..contact.arc_length import arc_length
 from ..contact.curves import curve_jet, curve_speed
 from ..contact.moves import move_across, move_arc, move_chord
 from ..contact.overlaps import find_overlaps
-from ..contact.pressed import LINE_SHARP, normal_line
+from ..contact.pressed import LINE_SHARP, meet_wheel
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.zone_width import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
@@ -102,53 +102,52 @@ def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
     return exists
 
 
-def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
-              tolerance: float):
-    """``normal_line``: the wheel's point lies on the rail's normal."""
-    y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, abscissa, y, height,
-                                                           tolerance)
+def meet_rule(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
+    """``meet_wheel``: the wheel's point lies on the rail's normal."""
+    y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
     if found == 1:
         z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
         z, slope, bend = height_slope_bend(tables.wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
         residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
-        y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa,
-                                                                              y, height, tolerance))
-    return y, overlap, rise, bend, curvature, found
+        y, overlap, rise, rate, z, slope, bend, found = differentiated(meet_wheel(tables, place, abscissa, y,
+                                                                                  height, tolerance))
+    return y, overlap, rise, rate, z, slope, bend, found
 
 
-def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float, height: float):
+def turning_rule(tables: Tables, place: Place, x: float, y: float, height: float):
     """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the
     overlap: its rate is zero there."""
     x = held(x)
     found_x = x
-    y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height, LINE_SHARP)
+    y, overlap, rise, rate, z, slope, bend, found = meet_rule(tables, place, x, held(y), height,
+                                                              LINE_SHARP)
     if found == 1:
-        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y),
-                                                             height, LINE_SHARP)
+        y, overlap, more, rate, z, slope, bend, found = meet_rule(tables, place, seeded(x, 1.0), held(y),
+                                                                  height, LINE_SHARP)
         change = rate_of(more) - rate_of(rise)
         if change != 0.0:
             found_x = moving(x, -rise / change)
-        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, found_x, held(y), height,
-                                                             LINE_SHARP)
+        y, overlap, more, rate, z, slope, bend, found = meet_rule(tables, place, found_x, held(y), height,
+                                                                  LINE_SHARP)
     return found_x, y, overlap, found
 
 
-def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+def overlaps_rule(tables: Tables, overlap: Overlap, side: SideSearch, state: State,
                   height: float):
     """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
-    count = find_overlaps(tables, frame, overlap, side, state, height)
+    count = find_overlaps(tables, overlap, side, state, height)
     for entry in range(count):
         point = overlap.points[entry]
-        x, y, depth, found = turning_rule(tables, frame, side.place, point.rail, point.wheel, height)
+        x, y, depth, found = turning_rule(tables, side.place, point.rail, point.wheel, height)
         point.rail = moving(point.rail, x)
         point.wheel = moving(point.wheel, y)
         point.depth = moving(point.depth, depth)
     for entry in range(count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth, found = turning_rule(tables, frame, side.place, point.saddle,
+        x, y, depth, found = turning_rule(tables, side.place, point.saddle,
                                           0.5 * (point.wheel + following.wheel), height)
         point.saddle = moving(point.saddle, x)
         point.between = moving(point.between, depth)

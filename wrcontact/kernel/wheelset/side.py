@@ -92,7 +92,7 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
     height = side.best + approach
     clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
-    if find_overlaps(tables, work.contact.frame, work.contact.overlap, side, state, height) == 0:
+    if find_overlaps(tables, work.contact.overlap, side, state, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
     deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
