@@ -50,6 +50,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     elastic__iterate(&roll, &status, tables, work, state, roll, height, left, right);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if (status == layout__NOT_CONVERGED)
     {
         brackets__bracket_roll(&roll, &status, tables, work, state, rigid_roll, left, right);
@@ -89,6 +90,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     double arm;
     int64_t trial;
     double moved;
+    bool followed;
     int64_t status;
     int64_t index;
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
@@ -101,6 +103,8 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     {
         moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
+        followed = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(trial > INT64_C(0));
         if ((trial > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0) && (moved < elastic__COARSE))
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
@@ -111,6 +115,13 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         else if ((trial > INT64_C(0)) && (moved < elastic__NOT_LAST))
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
+            if (followed)
+            {
+                /* nor does the change from points that are followed to those of a search */
+                (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
+                (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+            }
             /* the same place again, with patches, or with the smaller gap that was found */
         }
         status = trial__balance_both(tables, work, state, left, right, height);

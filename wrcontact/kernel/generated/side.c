@@ -117,7 +117,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     side__clear_side(tables, work, index);
     resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    if (overlaps__find_overlaps(work, tables, side, state, height) == INT64_C(0))
+    if (side__find_points(work, tables, state, side, index, height) == INT64_C(0))
     {
         /* it overlaps most at the end of a profile */
         return layout__OFF_PROFILE;
@@ -127,6 +127,27 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
     pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
     return layout__VALID;
+}
+
+/* List the deepest points of a wheel moved down by ``height`` [m]; how many.  Those of the last search
+ * are followed where the contact's ``following`` permits it.
+ */
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height)
+{
+    int64_t kept;
+    int64_t count;
+    kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
+    count = INT64_C(0);
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
+    {
+        count = followed_overlaps__follow_overlaps(work, tables, kept, side + layout__SIDE_SEARCH_PLACE, height);
+    }
+    if (count == INT64_C(0))
+    {
+        count = overlaps__find_overlaps(work, tables, side, state, height);
+    }
+    followed_overlaps__keep_points(work, kept);
+    return count;
 }
 
 /* How the height at which a side carries its load follows the roll [m], from its regions'

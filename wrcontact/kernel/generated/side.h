@@ -10,6 +10,7 @@
 #include "../native/spans.h"
 #include "contact_point.h"
 #include "deep_points.h"
+#include "followed_overlaps.h"
 #include "gap.h"
 #include "layout.h"
 #include "normal_contact.h"
@@ -24,6 +25,7 @@ static inline int64_t side__clear_side(array_double_1d tables, array_double_1d w
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
 static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height);
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach);
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
 

@@ -21,6 +21,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     }
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT)
     {
         status = compliant__solve_compliant(tables, work, state);

@@ -124,7 +124,7 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     tangent_side__clear_side_t(tables, work, work_t, index);
     tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    n1 = tangent_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+    n1 = tangent_side__find_points_t(work, work_t, tables, state, side, index, height, height_t);
     if (n1 == INT64_C(0))
     {
         return layout__OFF_PROFILE;
@@ -134,6 +134,29 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
     return layout__VALID;
+}
+
+/* Tangent of ``find_points``. */
+static inline int64_t tangent_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height, double height_t)
+{
+    int64_t kept;
+    int64_t n1;
+    int64_t n2;
+    int64_t count;
+    kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
+    count = INT64_C(0);
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
+    {
+        n1 = tangent_followed_overlaps__follow_overlaps_t(work, work_t, tables, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
+        count = n1;
+    }
+    if (count == INT64_C(0))
+    {
+        n2 = tangent_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+        count = n2;
+    }
+    tangent_followed_overlaps__keep_points_t(work, work_t, kept);
+    return count;
 }
 
 /* Tangent of ``side_lever``. */

@@ -11,6 +11,7 @@
 #include "layout.h"
 #include "outlines.h"
 #include "tangent_contact_point.h"
+#include "tangent_followed_overlaps.h"
 #include "tangent_gap.h"
 #include "tangent_normal_contact.h"
 #include "tangent_outline.h"
@@ -24,6 +25,7 @@ static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_d
 static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t tangent_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
 static inline int64_t tangent_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t);
+static inline int64_t tangent_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height, double height_t);
 static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t);
 static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count);
 

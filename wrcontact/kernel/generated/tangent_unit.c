@@ -53,6 +53,7 @@
 #include "tangent_elimination.c"
 #include "tangent_estimate.c"
 #include "tangent_filling.c"
+#include "tangent_followed_overlaps.c"
 #include "tangent_gap.c"
 #include "tangent_hertz.c"
 #include "tangent_hertz_contact.c"

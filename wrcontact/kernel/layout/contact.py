@@ -136,6 +136,14 @@ class DeepPoint:
 
 
 @record
+class DeepPoints:
+    """Deepest points of one wheel that the next trial may follow, in the order of the rail."""
+
+    count: int                      # 0 if none are known
+    points: DeepPoint * REGION_LIMIT
+
+
+@record
 class Samples:
     """The overlap at scan nodes, in the order of the wheel's abscissae."""
 

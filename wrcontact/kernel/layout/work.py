@@ -1,6 +1,6 @@
 """The array ``work``: the workspace of one step."""
 
-from .contact import Frame, KeptFrames, Origin, Overlap, Regions
+from .contact import DeepPoints, Frame, KeptFrames, Origin, Overlap, Regions
 from .interface import Inputs, Outputs
 from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
@@ -15,6 +15,7 @@ class Contact:
 
     filling: bool                   # whether patches are filled in, or only the penetration is wanted
     coarse: bool                    # whether an approximate penetration is enough
+    following: bool                 # whether deepest points may be followed from the trial before
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions
@@ -24,6 +25,7 @@ class Contact:
     origin: Origin
     frames: KeptFrames
     overlap: Overlap
+    deep_points: DeepPoints * 2     # of the left and right wheel, as the last search has left them
 
 
 @record

@@ -43,8 +43,9 @@ TRIALS: Final[int] = 25
 ELASTIC_SHARP: Final[float] = 1e-13
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
-#: After a longer move a trial is not the last one, and leaves out the patches [m].
-NOT_LAST: Final[float] = 1e-6
+#: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
+#: of the one before instead of a search for all [m].
+NOT_LAST: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
 #: about as much off.
 COARSE: Final[float] = 2e-6
@@ -73,6 +74,7 @@ def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: f
     roll, status = iterate(tables, work, state, roll, height, left, right)
     work.contact.filling = True
     work.contact.coarse = False
+    work.contact.following = False
     if status == NOT_CONVERGED:
         roll, status = bracket_roll(tables, work, state, rigid_roll, left, right)
     return roll, status
@@ -108,6 +110,8 @@ def iterate(tables: Tables, work: Work, state: State, roll: float, height: float
     for trial in range(TRIALS):
         moved = fabs(method.move_height) + fabs(method.move_roll)
         work.contact.filling = False
+        followed = work.contact.following
+        work.contact.following = trial > 0
         if trial > 0 and work.contact.coarse and moved < COARSE:
             work.contact.coarse = False
             # the change to the whole model does not show how residuals follow a move
@@ -115,6 +119,11 @@ def iterate(tables: Tables, work: Work, state: State, roll: float, height: float
             method.move_roll = 0.0
         elif trial > 0 and moved < NOT_LAST:
             work.contact.filling = True
+            work.contact.following = False
+            if followed:
+                # nor does the change from points that are followed to those of a search
+                method.move_height = 0.0
+                method.move_roll = 0.0
         status = balance_both(tables, work, state, left, right, height)
         if status > UNLOADED:
             return roll, NOT_CONVERGED

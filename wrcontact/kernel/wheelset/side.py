@@ -4,6 +4,7 @@ share of the resultant."""
 from math import isfinite
 
 from ..contact.deep_points import deepest_entry
+from ..contact.followed_overlaps import follow_overlaps, keep_points
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
 from ..layout import (
@@ -14,7 +15,9 @@ from ..layout import (
     SIDE_SIZE,
     UNLOADED,
     VALID,
+    Contact,
     Outline,
+    SideSearch,
     State,
     Tables,
     Work,
@@ -92,7 +95,7 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
     height = side.best + approach
     clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
-    if find_overlaps(tables, work.contact.overlap, side, state, height) == 0:
+    if find_points(tables, work.contact, state, side, index, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
     deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
@@ -100,6 +103,19 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
     describe_contact(tables, work, state, index, deepest.wheel, aside, shift)
     press_frame(work.contact.frame, height, deepest.depth, 0.0)
     return VALID
+
+
+def find_points(tables: Tables, contact: Contact, state: State, side: SideSearch, index: int, height: float):
+    """List the deepest points of a wheel moved down by ``height`` [m]; how many.  Those of the last search
+    are followed where the contact's ``following`` permits it."""
+    kept = contact.deep_points[index]
+    count = 0
+    if contact.following and kept.count > 0:
+        count = follow_overlaps(tables, contact.overlap, kept, side.place, height)
+    if count == 0:
+        count = find_overlaps(tables, contact.overlap, side, state, height)
+    keep_points(contact.overlap, kept)
+    return count
 
 
 def side_lever(tables: Tables, work: Work, index: int, count: int):

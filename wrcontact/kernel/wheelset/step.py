@@ -33,6 +33,7 @@ def evaluate(tables: Tables, work: Work, state: State):
         return status
     work.contact.filling = True
     work.contact.coarse = False
+    work.contact.following = False
     if tables.mode == MODE_COMPLIANT:
         status = solve_compliant(tables, work, state)
     else:
