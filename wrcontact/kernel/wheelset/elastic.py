@@ -45,7 +45,7 @@ ELASTIC_SHARP: Final[float] = 1e-13
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
 #: of the one before instead of a search for all [m].
-NOT_LAST: Final[float] = 1e-9
+NOT_LAST: Final[float] = 1e-10
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
 #: about as much off.
 COARSE: Final[float] = 2e-6
