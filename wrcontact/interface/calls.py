@@ -101,6 +101,9 @@ def _parameter(name, default, positional):
 
 def _lines(row):
     """What a docstring says about one parameter."""
+    if row.right:
+        yield f"    {row.name} : {row.right} on the left side; None, the default, is that on the right."
+        return
     if row.family is None:
         known = row.number
         yield f"    {row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."

@@ -86,6 +86,7 @@ class Place:
     w_per_slope: float              # w over the profile's slope [-]
     cos_t: float                    # 1 / sqrt(1 + t^2)
     radius: float                   # nominal radius of the wheel [m]
+    height: float                   # the wheelset's centre above the running circles [m]
     arm: float                      # half the distance of the running circles [m]
     yawed: bool
 

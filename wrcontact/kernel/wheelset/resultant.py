@@ -136,7 +136,7 @@ def write_resultant(tables: Tables, inputs: Inputs, outputs: Outputs, left: Resu
         outputs.left[1].force[i] = right[i]
         outputs.left[1].moment[i] = right[3 + i]
     y = inputs.lateral_shift
-    z = outputs.vertical_shift - tables.radius
+    z = outputs.vertical_shift - tables.height
     outputs.moment[0] -= y * outputs.force[2] - z * outputs.force[1]
     for index in range(2):
         side = outputs.left[index]
