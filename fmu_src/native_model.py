@@ -33,6 +33,10 @@ def sizes_header(token, profiles, blocks):
         "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
         "TOLERANCE": REFERENCE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
+        "LEFT_WHEEL_SLOT": STRINGS.index("left_wheel_profile"),
+        "LEFT_RAIL_SLOT": STRINGS.index("left_rail_profile"),
+        **{name.upper(): REFERENCE[name] for sided in ("nominal_radius", "rail_inclination")
+           for name in (sided, f"left_{sided}")},
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "PROFILES": len(profiles), "LADDERS": len(ladders()), "BLOCKS": len(blocks),
         "HERTZ_SIZE": len(hertz_table()), "INFLUENCE_SIZE": len(influence_table()),

@@ -96,6 +96,18 @@ class ContactSystem:
         """Whether the left side is the mirror image of the right one."""
         return self._left_tables is self._tables
 
+    @property
+    def centre_height(self):
+        """Height of the wheelset's centre above the running circles [m]: the mean of both nominal radii."""
+        return float(self._tables[layout.SET_HEIGHT])
+
+    @property
+    def title(self):
+        """The names of the profiles, "S1002 on UIC60", for headlines; of both sides where they differ."""
+        names = [f"{wheel.name} on {rail.name}" for wheel, rail in ((self.left_wheel, self.left_rail),
+                                                                    (self.wheel, self.rail))]
+        return names[1] if names[0] == names[1] else f"{names[0]} (left) and {names[1]} (right)"
+
     def side_parameters(self, side):
         """The value of every keyword as ``side``, "left" or "right", has it."""
         return on_the_left(self.parameters) if side == "left" else self.parameters
