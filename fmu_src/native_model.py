@@ -4,6 +4,7 @@ tables as C text."""
 import numpy as np
 
 from ..interface.inputs import LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from ..interface.rails import RAIL_LIMIT
 from ..interface.parameters import checked_parameters
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout
@@ -43,7 +44,8 @@ def sizes_header(token, profiles, blocks):
         "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
-        "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT, "DEEPEST": DEEPEST,
+        "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT,
+        "RAIL_LIMIT": RAIL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]

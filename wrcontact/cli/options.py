@@ -106,7 +106,7 @@ def takes(**groups):
 
 def name_of(variable):
     """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
-    return variable.keyword or variable.name
+    return variable.keyword or variable.name.replace(".", "_")
 
 
 def option_of(variable):
@@ -130,7 +130,7 @@ def _option(variable):
         words, start = (f"{WORDS.get(right, right.replace('_', ' ').capitalize())}, on the left side",
                         "as right")
     else:
-        words = WORDS.get(name_of(variable), variable.meaning)
+        words = WORDS.get(name_of(variable), variable.description)
     words += (f", in {unit}" if unit else "") + f" (default: {start})"
     kind, reading = str, {"metavar": "NAME"}
     if variable.type == REAL:

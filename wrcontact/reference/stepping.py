@@ -114,16 +114,30 @@ class HalfspaceSolver:
         total = write_side(side, wheel.counted_from(self._contact(index, side)[0]), index, centre,
                            outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
         side[layout.SIDE_PENETRATION] = depth
+        record, (lateral, vertical) = layout.SideOutputs.at(side), self._moved(index)
+        for patch in record.patch:
+            if patch.normal_force > 0.0:
+                patch.y_track += lateral
+                patch.z_track += vertical
         return total
 
     def _pair(self, index, roll, height):
         """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
         return wheel_on_rail(self._sides[index], index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
-                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height)
+                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
+                             rail=self._moved(index))
+
+    def _moved(self, index):
+        """Displacement of a side's rail to the right and down [m]."""
+        first = layout.IN_LEFT_RAIL_LATERAL if index == 0 else layout.IN_RIGHT_RAIL_LATERAL
+        return self._inputs[first:first + 2]
 
     def _contact(self, index, side):
-        """Place of the contact point across and down, in the frame of a right wheel."""
-        return (2.0 * index - 1.0) * side[layout.SIDE_Y_TRACK], side[layout.SIDE_Z_TRACK]
+        """Place of the contact point across and down, in the frame of a right wheel on a rail that is not
+        moved."""
+        lateral, vertical = self._moved(index)
+        return ((2.0 * index - 1.0) * (side[layout.SIDE_Y_TRACK] - lateral),
+                side[layout.SIDE_Z_TRACK] - vertical)
 
     def _force(self, index):
         """The force that is prescribed for a side [N]."""

@@ -137,15 +137,17 @@ class WheelOnRail:
         return self.radius + float(evaluate_table(self.wheel, _within(self.wheel, y))[0])
 
 
-def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift):
+def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift, rail=(0.0, 0.0)):
     """The wheel of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of the half-space.
 
-    ``tables`` are those of the kernel; lengths in m, angles in rad.
+    ``tables`` are those of the kernel for this side; lengths in m, angles in rad.  A ``rail`` that is
+    displaced (to the right, down) counts as a wheelset that is displaced the other way.
     """
+    lateral_shift -= rail[0]
     if index == 0:
         lateral_shift, yaw, roll = (sign * value
                                     for sign, value in zip(MIRROR, (lateral_shift, yaw, roll)))
-    height = tables[layout.SET_HEIGHT]
+    height = tables[layout.SET_HEIGHT] + rail[1]
     return WheelOnRail(
         wheel=tables[int(tables[layout.SET_WHEEL]):int(tables[layout.SET_RAIL])],
         rail=tables[int(tables[layout.SET_RAIL]):int(tables[layout.SET_SCAN])],

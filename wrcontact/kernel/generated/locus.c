@@ -31,7 +31,21 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
     (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
     locus__turn_wheelset(work, place, roll);
+    return INT64_C(0);
+}
+
+/* Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
+ * [m]: seen from the rail the wheelset moves the other way.
+ */
+static inline int64_t locus__move_rail(array_double_1d work, int64_t place, double lateral, double vertical)
+{
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= lateral;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += vertical;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
@@ -122,7 +136,8 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
 /* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
  * point (y, z).
  *
- * The vertical shift of the wheelset is not included: its centre is at minus ``place.height``.
+ * They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
+ * is at minus ``place.height``.
  */
 static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
 {

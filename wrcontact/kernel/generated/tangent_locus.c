@@ -31,7 +31,25 @@ static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, arra
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
     (*cspan_at(&work_t, place + layout__PLACE_ARM)) = arm_t;
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
     tangent_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``move_rail``. */
+static inline int64_t tangent_locus__move_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral, double lateral_t, double vertical, double vertical_t)
+{
+    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - lateral_t;
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - lateral;
+    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) + vertical_t;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT)) + vertical;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = lateral_t;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = vertical_t;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 

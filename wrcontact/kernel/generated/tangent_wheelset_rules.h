@@ -11,7 +11,6 @@
 #include "layout.h"
 #include "tangent_compliant.h"
 #include "tangent_gap.h"
-#include "tangent_locus.h"
 #include "tangent_requested.h"
 #include "tangent_resultant.h"
 #include "tangent_rigid.h"

@@ -14,7 +14,7 @@ from typing import Final
 
 from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, SideSearch, Sides, State, Tables
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
-from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from ..surface.locus import mirror_place, mirror_roll, move_rail, place_wheelset, turn_wheelset
 from .cells import SHARP
 from .raster import rail_below
 from .smallest_gap import search_side
@@ -40,6 +40,8 @@ def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides:
     place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, right_tables.radius,
                    right_tables.height, right_tables.arm)
     mirror_place(sides[1].place, sides[0].place, left_tables.radius)
+    move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
+    move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
     return 0
 
 

@@ -30,7 +30,19 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
     place.radius = radius
     place.height = height
     place.arm = arm
+    place.rail_lateral = 0.0
+    place.rail_vertical = 0.0
     turn_wheelset(place, roll)
+    return 0
+
+
+def move_rail(place: Place, lateral: float, vertical: float):
+    """Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
+    [m]: seen from the rail the wheelset moves the other way."""
+    place.shift -= lateral
+    place.height += vertical
+    place.rail_lateral = lateral
+    place.rail_vertical = vertical
     return 0
 
 
@@ -99,7 +111,8 @@ def outline_point(place: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
     point (y, z).
 
-    The vertical shift of the wheelset is not included: its centre is at minus ``place.height``.
+    They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
+    is at minus ``place.height``.
     """
     sin_roll = place.sin_roll
     cos_roll = place.cos_roll

@@ -15,9 +15,8 @@ rules of their rooms, this file the wheelset and the whole step, ``differentiate
 from math import cos, fabs, sin
 
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
-from ..search.roll import place_both
+from ..search.roll import place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..surface.locus import mirror_place, turn_wheelset
 from ..wheelset.compliant import load_at_height
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.requested import omit_outputs, side_force
@@ -35,8 +34,10 @@ def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
         work.sides[1].place.sin_yaw = sin(yaw)
         work.sides[1].place.cos_yaw = cos(yaw)
         work.sides[1].place.yawed = True
-        turn_wheelset(work.sides[1].place, roll)
-        mirror_place(work.sides[1].place, work.sides[0].place, left_tables.radius)
+        work.sides[0].place.sin_yaw = -sin(yaw)
+        work.sides[0].place.cos_yaw = cos(yaw)
+        work.sides[0].place.yawed = True
+        turn_both(work.sides, roll)
     return 0
 
 

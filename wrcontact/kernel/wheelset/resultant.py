@@ -90,8 +90,8 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
         normal_cos = block.cos
         normal_sin = block.sin
     x = block.x_track + block.slant * away
-    y = mirror * (tables.rail_y + abscissa)
-    z = height
+    y = mirror * (tables.rail_y + abscissa + frame.place.rail_lateral)
+    z = height + frame.place.rail_vertical
     force_y = mirror * normal_sin * load
     force_z = -normal_cos * load
     resultant[1] += force_y
