@@ -55,12 +55,12 @@ def benchmark():
     """Rows by case of EN 15302: amplitudes, how many of them keep the tolerance on the value and either
     tolerance, deviation of the conicity, and distance of the curves [mm]."""
     rows = {}
-    for case, wheel in en15302.WHEELS.items():
+    for case in en15302.WHEELS:
         limits, found = en15302.limits(case), en15302.found_conicity(case)
         off = np.abs(found - limits.value)
         curve = 1e3 * en15302.distances(en15302.radius_difference(case), en15302.found_curve(case))
         value, shift = limits.inside_value(found), limits.inside_shift(found)
-        rows[case] = {"wheel": wheel, "amplitudes": len(found), "value": int(value.sum()),
+        rows[case] = {"wheel": en15302.wheel_words(case), "amplitudes": len(found), "value": int(value.sum()),
                       "either": int((value | shift).sum()), "mean": off.mean(), "worst": off.max(),
                       "curve mean": curve.mean(), "curve worst": curve.max()}
     return rows

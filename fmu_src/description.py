@@ -97,7 +97,8 @@ def attributes_of(variable, starts):
         "max": variable.maximum,
         "nominal": variable.nominal,
     }
-    return {name: number_text(value) for name, value in attributes.items() if value not in (None, "")}
+    return {name: number_text(value) for name, value in attributes.items()
+            if value is not None and (value != "" or name == "start")}
 
 
 def number_text(value):

@@ -4,6 +4,7 @@ tables as C text."""
 import numpy as np
 
 from ..interface.inputs import LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from ..interface.rails import RAIL_LIMIT
 from ..interface.parameters import checked_parameters
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout
@@ -33,13 +34,18 @@ def sizes_header(token, profiles, blocks):
         "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
         "TOLERANCE": REFERENCE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
+        "LEFT_WHEEL_SLOT": STRINGS.index("left_wheel_profile"),
+        "LEFT_RAIL_SLOT": STRINGS.index("left_rail_profile"),
+        **{name.upper(): REFERENCE[name] for sided in ("nominal_radius", "rail_inclination")
+           for name in (sided, f"left_{sided}")},
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "PROFILES": len(profiles), "LADDERS": len(ladders()), "BLOCKS": len(blocks),
         "HERTZ_SIZE": len(hertz_table()), "INFLUENCE_SIZE": len(influence_table()),
         "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
-        "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT, "DEEPEST": DEEPEST,
+        "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT,
+        "RAIL_LIMIT": RAIL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]

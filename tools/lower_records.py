@@ -242,7 +242,7 @@ class Lowered(ast.NodeTransformer):
             return self.generic_visit(node)
         if len(parameters) != len(node.args):
             self.refuse(node, f"{name} has {len(parameters)} parameters")
-        arguments = [ast.Name(self.array_name(array), ast.Load())
+        arguments = [ast.Name(self.given_array(array, parameters, node.args), ast.Load())
                      for array in added_arrays(parameters, self.layout)]
         for (parameter, kind), argument in zip(parameters, node.args):
             ref = self.ref(argument) if kind else None
@@ -255,6 +255,14 @@ class Lowered(ast.NodeTransformer):
             elif self.layout.home(kind)[1] is None:
                 arguments.append(total(ref.terms))
         return ast.Call(node.func, arguments, [])
+
+    def given_array(self, array, parameters, arguments):
+        """The array in which the records among the arguments of a call live: one of several of a class."""
+        for (_, kind), argument in zip(parameters, arguments):
+            ref = self.ref(argument) if kind and self.layout.home(kind)[0] == array else None
+            if ref:
+                return ref.array
+        return self.array_name(array)
 
     def visit_Name(self, node):
         ref = self.records.get(node.id)

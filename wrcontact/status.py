@@ -4,6 +4,7 @@ import math
 from enum import IntEnum
 
 from .interface.inputs import INPUT_NAMES, INPUT_UNITS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from .interface.rails import RAIL_LIMIT, RAILS
 from .kernel import layout
 from .kernel.wheelset.trial import DEEPEST
 from .methods.numbers import unit_behind
@@ -40,6 +41,7 @@ class Terms:
 
 #: The end of sentences on steps that leave the outputs as they are.
 KEPT = "; the outputs keep their last valid values"
+RAIL_NAMES = tuple(row.name for row in RAILS)
 UNITS_BY_NAME = dict(zip(INPUT_NAMES, INPUT_UNITS))
 
 
@@ -106,6 +108,9 @@ def _off_profile(said, compliant):
         return said.beyond("lateral_shift", LATERAL_LIMIT, ", beyond the profiles")
     if yaw > YAW_LIMIT:
         return said.beyond("yaw", YAW_LIMIT, ", beyond the profiles")
+    for name in RAIL_NAMES:
+        if abs(said.inputs[name]) > RAIL_LIMIT:
+            return said.beyond(name, RAIL_LIMIT)
     deepest = said.terms.length(DEEPEST)
     if compliant and roll > ROLL_LIMIT:
         return said.beyond("roll_input", ROLL_LIMIT)

@@ -28,9 +28,10 @@ class Stepper:
 
     Parameters
     ----------
-    tables : settings and tables of the system; the stepper works on a copy.
-    bind : called with tables, state, workspace, inputs and outputs; returns the solver that works on these
-        arrays.  None is the kernel.
+    tables : settings and tables of the system's right side; the stepper works on a copy.
+    bind : called with tables, state, workspace, inputs and outputs, and ``left`` with the tables of the left
+        side; returns the solver that works on these arrays.  None is the kernel.
+    left : settings and tables of the left side; None, or the same array, where both sides are equal.
 
     Attributes
     ----------
@@ -42,22 +43,29 @@ class Stepper:
     compiled : whether the compiled kernel is used.
     """
 
-    def __init__(self, tables, bind=None):
+    def __init__(self, tables, bind=None, left=None):
         self._tables = tables.copy()
+        self._left_tables = self._tables if left is None or left is tables else left.copy()
         self.inputs = np.zeros(layout.INPUT_COUNT)
         self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
         bind = bind or default_kernel().bind
-        self._bound = bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
+        self._bound = bind(self._tables, self.state, self._workspace, self.inputs, self.outputs,
+                           left=self._left_tables)
         self.compiled = self._bound.compiled
         self._penetration = None
         self._wanted = ("both", "all")
 
     @property
     def tables(self):
-        """Settings and tables of the system, with what is wanted and prescribed."""
+        """Settings and tables of the right side, with what is wanted and prescribed."""
         return self._tables
+
+    @property
+    def left_tables(self):
+        """Those of the left side; the same array where both sides are equal."""
+        return self._left_tables
 
     def step(self):
         """Evaluate the inputs into the outputs; return the status (an int).
@@ -116,8 +124,9 @@ class Stepper:
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):
                 raise ValueError(f"penetration ({side}) is {value:g} m; permitted is {low:g} ... {high:g} m")
-        self._tables[layout.SET_PENETRATION_LEFT] = left
-        self._tables[layout.SET_PENETRATION_RIGHT] = right
+        for tables in (self._tables, self._left_tables):
+            tables[layout.SET_PENETRATION_LEFT] = left
+            tables[layout.SET_PENETRATION_RIGHT] = right
         self._workspace[layout.WORK_KNOWN] = 0.0
         self._penetration = penetration
 
@@ -127,6 +136,7 @@ class Stepper:
             return
         for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
             check_choice(name, value, choices)
-        self._tables[layout.SET_SIDES], self._tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
+        for tables in (self._tables, self._left_tables):
+            tables[layout.SET_SIDES], tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
         self._workspace[layout.WORK_KNOWN] = 0.0
         self._wanted = (side, outputs)

@@ -20,9 +20,9 @@ from .interface.calls import (
     warn_of_inputs,
     wrong_input,
 )
-from .interface.parameters import PARAMETERS, checked_parameters, warn_of_parameters
+from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, warn_of_parameters
 from .kernel import layout
-from .kernel.binding.setup import prepare_tables_of
+from .kernel.binding.setup import prepare_sides
 from .methods import Halfspace
 from .profiles.find import find_profile
 from .results.columns import selected
@@ -43,7 +43,8 @@ class ContactSystem:
     ----------
     wheel, rail : name of a standard profile in any case, path of a profile file,
         :class:`~wrcontact.ProfileFile` (a path with what the file does not say), or
-        :class:`~wrcontact.Profile`.
+        :class:`~wrcontact.Profile`.  These two, ``nominal_radius`` and ``rail_inclination`` may also be
+        pairs (left, right), which is short for the keywords that begin with ``left_``.
     track, wheelset, material : records of the keywords that follow, or None.
 {parameters}
 
@@ -51,6 +52,7 @@ class ContactSystem:
     ----------
     parameters : the value of every keyword but the groups; methods are strings.
     methods : the object of every method, by its keyword.
+    wheel, rail, left_wheel, left_rail : the profiles of the right and of the left side.
 
     Raises
     ------
@@ -69,23 +71,55 @@ class ContactSystem:
         warn_of_parameters(self.parameters, stacklevel=2)
         self.resolution = self.methods["normal_model"].resolution
         smoothing = self.parameters["smoothing"]
-        self.wheel = find_profile(wheel, "wheel", smoothing)
-        self.rail = find_profile(rail, "rail", smoothing)
-        self._tables = self._prepare()
+        self.wheel, self.rail, self.left_wheel, self.left_rail = self._find_profiles(smoothing)
+        self._tables, self._left_tables = self._prepare()
         self._own = threading.local()
 
     def _prepare(self):
-        tables = prepare_tables_of(self.wheel, self.rail, parameters=self.parameters, methods=self.methods)
-        tables[layout.SET_STATIONS] = self.parameters["stations"]
-        return tables
+        both = prepare_sides((self.wheel, self.rail), (self.left_wheel, self.left_rail),
+                             parameters=self.parameters, methods=self.methods)
+        for tables in both:
+            tables[layout.SET_STATIONS] = self.parameters["stations"]
+        return both
 
-    def profile_tables(self):
+    def _find_profiles(self, smoothing):
+        """Wheel and rail of the right side, wheel and rail of the left side."""
+        given = self.parameters
+        right = [find_profile(given[kind], kind, smoothing) for kind in ("wheel", "rail")]
+        left = [profile if given[f"left_{kind}"] is None
+                else find_profile(given[f"left_{kind}"], kind, smoothing, f"left_{kind}")
+                for kind, profile in zip(("wheel", "rail"), right)]
+        return *right, *left
+
+    @property
+    def equal_sides(self):
+        """Whether the left side is the mirror image of the right one."""
+        return self._left_tables is self._tables
+
+    @property
+    def centre_height(self):
+        """Height of the wheelset's centre above the running circles [m]: the mean of both nominal radii."""
+        return float(self._tables[layout.SET_HEIGHT])
+
+    @property
+    def title(self):
+        """The names of the profiles, "S1002 on UIC60", for headlines; of both sides where they differ."""
+        names = [f"{wheel.name} on {rail.name}" for wheel, rail in ((self.left_wheel, self.left_rail),
+                                                                    (self.wheel, self.rail))]
+        return names[1] if names[0] == names[1] else f"{names[0]} (left) and {names[1]} (right)"
+
+    def side_parameters(self, side):
+        """The value of every keyword as ``side``, "left" or "right", has it."""
+        return on_the_left(self.parameters) if side == "left" else self.parameters
+
+    def profile_tables(self, side="right"):
         """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the
-        wheel's table, that of the right rail as it leans, and the track coordinate of the rail's highest
-        point [m]."""
+        wheel's table, that of the rail as it leans, and the track coordinate of the rail's highest point [m],
+        each as those of a right side."""
+        tables = self._left_tables if side == "left" else self._tables
         places = (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN)
-        wheel, rail, scan = (int(self._tables[at]) for at in places)
-        return self._tables[wheel:rail], self._tables[rail:scan], float(self._tables[layout.SET_RAIL_Y])
+        wheel, rail, scan = (int(tables[at]) for at in places)
+        return tables[wheel:rail], tables[rail:scan], float(tables[layout.SET_RAIL_Y])
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -114,8 +148,8 @@ class ContactSystem:
         if isinstance(self.methods["normal_model"], Halfspace):
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]))
-        return Stepper(self._tables)
+            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]), self._left_tables)
+        return Stepper(self._tables, left=self._left_tables)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
         """The contact of both wheels at one pose.
@@ -201,7 +235,8 @@ class ContactSystem:
             return stepper.parts(rows, places)
         from .reference.processes import shared_parts  # scipy is not needed before
 
-        return shared_parts(stepper.tables, self.parameters["tolerance"], rows, places, processes)
+        return shared_parts((stepper.tables, stepper.left_tables), self.parameters["tolerance"], rows, places,
+                            processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for

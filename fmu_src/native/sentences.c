@@ -100,6 +100,15 @@ static void invalid_input(const double *inputs, char *text, size_t size)
                  SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]));
 }
 
+/* The first input that displaces a rail too far, or -1. */
+static int far_rail(const double *inputs)
+{
+    for (int i = layout__IN_LEFT_RAIL_LATERAL; i <= layout__IN_RIGHT_RAIL_VERTICAL; i += 1)
+        if (fabs(inputs[i]) > MODEL_RAIL_LIMIT)
+            return i;
+    return -1;
+}
+
 /* One sentence on a status that is not 0, as wrcontact/status.py words it. */
 void sentence_of_status(int status, const double *inputs, bool compliant, char *text, size_t size)
 {
@@ -108,6 +117,7 @@ void sentence_of_status(int status, const double *inputs, bool compliant, char *
     const char *transfer = SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]);
     const char *height = SIX_DIGITS(inputs[layout__IN_VERTICAL_SHIFT]), *roll = SIX_DIGITS(inputs[layout__IN_ROLL]);
     const bool far = fabs(inputs[layout__IN_LATERAL_SHIFT]) > MODEL_LATERAL_LIMIT;
+    const int rail = far_rail(inputs);
     char clause[200];
     if (status == layout__INVALID_INPUT)
     {
@@ -132,6 +142,9 @@ void sentence_of_status(int status, const double *inputs, bool compliant, char *
     else if (far)
         snprintf(text, size, "lateral_shift is %s m, beyond the profiles; permitted is |lateral_shift| <= %s m; %s", shift,
                  SIX_DIGITS(MODEL_LATERAL_LIMIT), KEPT);
+    else if (rail >= 0)
+        snprintf(text, size, "%s is %s m; permitted is |%s| <= %s m; %s", model_variables[rail].name, SIX_DIGITS(inputs[rail]),
+                 model_variables[rail].name, SIX_DIGITS(MODEL_RAIL_LIMIT), KEPT);
     else if (compliant && fabs(inputs[layout__IN_ROLL]) > MODEL_ROLL_LIMIT)
         snprintf(text, size, "roll_input is %s rad; permitted is |roll_input| <= %s rad; %s", roll,
                  SIX_DIGITS(MODEL_ROLL_LIMIT), KEPT);

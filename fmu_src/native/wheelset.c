@@ -77,7 +77,7 @@ void wheelset_free(wheelset *self)
         free(self->states);
         self->states = next;
     }
-    free(self->tables);
+    wheelset_free_tables(self);
     free(self->workspace);
     free(self->tangent_room);
     free(self);
@@ -277,7 +277,7 @@ static wrcontact_handle handle_of(wheelset *self)
 {
     wheelset_core *core = &self->core;
     const wrcontact_handle handle = {
-        span_of(self->tables, self->table_size), span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
+        self->left_tables, self->right_tables, span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
         span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, ROW)};
     return handle;
 }

@@ -59,8 +59,8 @@ typedef struct {
     wheelset_core core;
     wheelset_tell *tell;                    /* is told one sentence for every step whose status is not 0 */
     void *owner;
-    double *tables;
-    int64_t table_size;
+    array_double_1d left_tables;            /* the same array as on the right where both sides are equal */
+    array_double_1d right_tables;
     double *workspace;
     double *tangent_room;                   /* memory of a directional derivative */
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */

@@ -6,6 +6,7 @@
 
 /* wheelset_tables.c */
 bool wheelset_is_built(const wheelset *self);   /* whether the tables are those of the present parameters */
+void wheelset_free_tables(wheelset *self);
 int wheelset_build(wheelset *self);             /* the tables for the present parameters and stations */
 
 #endif

@@ -16,7 +16,13 @@
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 
-/* The kernel's setup from the parameters. */
+/* What a user calls the profiles of a side, and where their names are. */
+typedef struct {
+    const char *wheel, *rail;
+    int wheel_slot, rail_slot;
+} side_choice;
+
+/* The kernel's setup of the right side from the parameters. */
 static int fill_setup(wheelset *self, double *setup)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
@@ -60,6 +66,30 @@ static int fill_setup(wheelset *self, double *setup)
     return 0;
 }
 
+/* The setup of the left side, with what differs there, and the height of the wheelset's centre in both. */
+static int fill_left_setup(wheelset *self, double *left, double *right)
+{
+    static const int differing[2][2] = {{MODEL_LEFT_NOMINAL_RADIUS, MODEL_NOMINAL_RADIUS},
+                                        {MODEL_LEFT_RAIL_INCLINATION, MODEL_RAIL_INCLINATION}};
+    char value[2 * MODEL_TEXT];
+    memcpy(left, right, MODEL_SETUP * sizeof *left);
+    for (int i = 0; i < 2; i += 1)
+    {
+        const model_variable *own = model_variables + differing[i][0], *other = model_variables + differing[i][1];
+        const double number = self->core.values[differing[i][0]];
+        if (number == 0.0)
+            continue;
+        if (number < other->low)
+            return wheelset_refuse(self, "%s is %s; permitted is %s ... %s%s", own->name,
+                                   sentence_shortest(number, value, sizeof value), SIX_DIGITS(other->low), SIX_DIGITS(other->high),
+                                   own->unit);
+        left[other->setup] = number;
+    }
+    const int radius = model_variables[MODEL_NOMINAL_RADIUS].setup;
+    left[layout__SETUP_HEIGHT] = right[layout__SETUP_HEIGHT] = 0.5 * (right[radius] + left[radius]);
+    return 0;
+}
+
 /* Nodes and strips for the tolerance that is asked for. */
 static int fill_resolution(wheelset *self, double *setup)
 {
@@ -96,8 +126,8 @@ static bool same_but_case(const char *one, const char *other)
     return *one == *other;
 }
 
-/* The profile that a String names; its case matters only between profiles that differ in nothing else. */
-static int find_profile(wheelset *self, const char *kind, int slot, array_double_1d *definition)
+/* The profile that a String names, which a user calls `argument`; its case matters only between profiles that differ in nothing else. */
+static int find_profile(wheelset *self, const char *argument, const char *kind, int slot, array_double_1d *definition)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
     size_t length = 0;
@@ -124,14 +154,14 @@ static int find_profile(wheelset *self, const char *kind, int slot, array_double
         if (length < sizeof list)
             length += (size_t)snprintf(list + length, sizeof list - length, "%s%s", length ? ", " : "", profile->name);
     }
-    return wheelset_refuse(self, "%s is %s%s; permitted are %s", kind, sentence_quoted(self->core.text[slot], value, sizeof value), other,
-                           list);
+    return wheelset_refuse(self, "%s is %s%s; permitted are %s", argument, sentence_quoted(self->core.text[slot], value, sizeof value),
+                           other, list);
 }
 
-/* Why the kernel could not prepare its tables. */
-static int refuse_preparation(wheelset *self, int outcome, const double *report)
+/* Why the kernel could not prepare the tables of a side. */
+static int refuse_preparation(wheelset *self, const side_choice *side, int outcome, const double *report)
 {
-    const char *wheel = self->core.text[MODEL_WHEEL_SLOT], *rail = self->core.text[MODEL_RAIL_SLOT];
+    const char *wheel = self->core.text[side->wheel_slot], *rail = self->core.text[side->rail_slot];
     if (outcome == prepare_tables__GAUGE_TOO_DEEP)
         return wheelset_refuse(self, "gauge_depth reaches %s m, but the inner side of the rail profile %s ends at %s m; "
                                "permitted are smaller depths", SIX_DIGITS(report[prepare_tables__REPORT_DEPTH]), rail,
@@ -149,7 +179,7 @@ static int refuse_preparation(wheelset *self, int outcome, const double *report)
 }
 
 /* One attempt with room for `room` numbers; the outcome, -1 for no memory. */
-static int prepare_in(wheelset *self, wrcontact_preparation *preparation, int64_t room)
+static int prepare_in(wrcontact_preparation *preparation, int64_t room)
 {
     preparation->tables = span_of(calloc((size_t)room, sizeof(double)), room);
     const int64_t needed = wrcontact_prepare_room(preparation);
@@ -157,24 +187,22 @@ static int prepare_in(wheelset *self, wrcontact_preparation *preparation, int64_
     int outcome = -1;
     if (preparation->tables.data && preparation->work.data)
         outcome = wrcontact_prepare(preparation);
-    double *fitting = NULL;
+    free(preparation->work.data);
     if (outcome == prepare_tables__PREPARED)
     {
-        self->table_size = (int64_t)preparation->report.data[prepare_tables__REPORT_SIZE];
-        fitting = realloc(preparation->tables.data, (size_t)self->table_size * sizeof(double));
-        free(self->tables);
-        self->tables = fitting ? fitting : preparation->tables.data;
+        const int64_t size = (int64_t)preparation->report.data[prepare_tables__REPORT_SIZE];
+        double *fitting = realloc(preparation->tables.data, (size_t)size * sizeof(double));
+        preparation->tables = span_of(fitting ? fitting : preparation->tables.data, size);
     }
     else
         free(preparation->tables.data);
-    free(preparation->work.data);
     return outcome;
 }
 
 /* Whether the tables are those of the present parameters. */
 bool wheelset_is_built(const wheelset *self)
 {
-    if (!self->tables || memcmp(self->built_text, self->core.text, sizeof self->built_text) != 0)
+    if (!self->right_tables.data || memcmp(self->built_text, self->core.text, sizeof self->built_text) != 0)
         return false;
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
         if (model_variables[i].causality == MODEL_PARAMETER && self->built_values[i] != self->core.values[i])
@@ -182,24 +210,85 @@ bool wheelset_is_built(const wheelset *self)
     return true;
 }
 
+/* The tables of a side, without starts and methods, in preparation->tables. */
+static int prepare_side(wheelset *self, const side_choice *side, wrcontact_preparation *preparation)
+{
+    int outcome = prepare_tables__TABLES_FULL;
+    for (int64_t room = TABLE_ROOM; outcome == prepare_tables__TABLES_FULL && room <= MOST_ROOM; room *= 4)
+        outcome = prepare_in(preparation, room);
+    return outcome == prepare_tables__PREPARED ? 0 : refuse_preparation(self, side, outcome, preparation->report.data);
+}
+
+/* What a preparation starts from: the setup of a side and its profiles. */
+static int begin_side(wheelset *self, const side_choice *side, double *setup, double *report, wrcontact_preparation *preparation)
+{
+    if (find_profile(self, side->wheel, "wheel", side->wheel_slot, &preparation->wheel)
+        || find_profile(self, side->rail, "rail", side->rail_slot, &preparation->rail))
+        return 1;
+    preparation->setup = span_of(setup, MODEL_SETUP);
+    preparation->report = span_of(report, MODEL_REPORT);
+    preparation->hertz = span_of((double *)model_hertz, MODEL_HERTZ_SIZE);
+    preparation->influence = span_of((double *)model_influence, MODEL_INFLUENCE_SIZE);
+    return 0;
+}
+
+static bool same_numbers(array_double_1d one, array_double_1d other)
+{
+    return one.shape[0] == other.shape[0] && memcmp(one.data, other.data, (size_t)one.shape[0] * sizeof(double)) == 0;
+}
+
+/* Starts and methods into the tables of both sides, which then are the wheelset's. */
+static int complete(wheelset *self, const wrcontact_preparation *left, const wrcontact_preparation *right)
+{
+    const int64_t needed = wrcontact_prepare_room(right);
+    double *work = calloc((size_t)needed, sizeof(double));
+    if (!work)
+    {
+        if (left->tables.data != right->tables.data)
+            free(left->tables.data);
+        free(right->tables.data);
+        return wheelset_refuse(self, "there is no memory for the kernel's tables");
+    }
+    wrcontact_complete(right->setup, left->tables, right->tables, work);
+    free(work);
+    wheelset_free_tables(self);
+    self->left_tables = left->tables;
+    self->right_tables = right->tables;
+    return 0;
+}
+
+void wheelset_free_tables(wheelset *self)
+{
+    if (self->left_tables.data != self->right_tables.data)
+        free(self->left_tables.data);
+    free(self->right_tables.data);
+    self->left_tables = self->right_tables = span_of(NULL, 0);
+}
+
 /* New tables for the present parameters. */
 static int prepare(wheelset *self)
 {
-    double setup[MODEL_SETUP], report[MODEL_REPORT] = {0.0};
-    wrcontact_preparation preparation = {0};
-    if (fill_setup(self, setup) || fill_resolution(self, setup)
-        || find_profile(self, "wheel", MODEL_WHEEL_SLOT, &preparation.wheel)
-        || find_profile(self, "rail", MODEL_RAIL_SLOT, &preparation.rail))
+    double right_setup[MODEL_SETUP], left_setup[MODEL_SETUP], report[MODEL_REPORT] = {0.0};
+    wrcontact_preparation left = {0}, right = {0};
+    const side_choice right_side = {"wheel", "rail", MODEL_WHEEL_SLOT, MODEL_RAIL_SLOT};
+    const side_choice left_side = {
+        *self->core.text[MODEL_LEFT_WHEEL_SLOT] ? "left_wheel" : "wheel", *self->core.text[MODEL_LEFT_RAIL_SLOT] ? "left_rail" : "rail",
+        *self->core.text[MODEL_LEFT_WHEEL_SLOT] ? MODEL_LEFT_WHEEL_SLOT : MODEL_WHEEL_SLOT,
+        *self->core.text[MODEL_LEFT_RAIL_SLOT] ? MODEL_LEFT_RAIL_SLOT : MODEL_RAIL_SLOT};
+    if (fill_setup(self, right_setup) || fill_resolution(self, right_setup) || fill_left_setup(self, left_setup, right_setup)
+        || begin_side(self, &right_side, right_setup, report, &right) || begin_side(self, &left_side, left_setup, report, &left)
+        || prepare_side(self, &right_side, &right))
         return 1;
-    preparation.setup = span_of(setup, MODEL_SETUP);
-    preparation.report = span_of(report, MODEL_REPORT);
-    preparation.hertz = span_of((double *)model_hertz, MODEL_HERTZ_SIZE);
-    preparation.influence = span_of((double *)model_influence, MODEL_INFLUENCE_SIZE);
-    int outcome = prepare_tables__TABLES_FULL;
-    for (int64_t room = TABLE_ROOM; outcome == prepare_tables__TABLES_FULL && room <= MOST_ROOM; room *= 4)
-        outcome = prepare_in(self, &preparation, room);
-    if (outcome != prepare_tables__PREPARED)
-        return refuse_preparation(self, outcome, report);
+    if (memcmp(left_setup, right_setup, sizeof left_setup) == 0 && same_numbers(left.wheel, right.wheel)
+        && same_numbers(left.rail, right.rail))
+        left.tables = right.tables;
+    else if (prepare_side(self, &left_side, &left))
+    {
+        free(right.tables.data);
+        return 1;
+    }
+    if (complete(self, &left, &right))
+        return 1;
     memcpy(self->built_values, self->core.values, sizeof self->built_values);
     memcpy(self->built_text, self->core.text, sizeof self->built_text);
     return 0;
@@ -210,7 +299,11 @@ int wheelset_build(wheelset *self)
 {
     if (!wheelset_is_built(self) && prepare(self))
         return 1;
-    self->tables[layout__SET_STATIONS] = (double)self->core.stations;
-    self->tables[layout__SET_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
+    double *const sides[2] = {self->left_tables.data, self->right_tables.data};
+    for (int side = 0; side < 2; side += 1)
+    {
+        sides[side][layout__SET_STATIONS] = (double)self->core.stations;
+        sides[side][layout__SET_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
+    }
     return 0;
 }

@@ -6,7 +6,7 @@ import pytest
 from benchmarks import conicity, store
 from tests.helpers import en15302
 from tests.helpers.cases import MM
-from tests.helpers.en15302 import UNEQUAL, WHEELS
+from tests.helpers.en15302 import WHEELS
 from tests.helpers.same_numbers import differences
 from wrcontact.conditioning import equivalent_conicity
 
@@ -19,9 +19,9 @@ def test_every_amplitude_is_inside_the_limits(case):
     assert np.all(reference.inside_value(found) | reference.inside_shift(found))
     # all but 3 amplitudes of E3 and 1 of E4, beside steps of the curve, keep the tolerance on the value
     assert np.count_nonzero(~reference.inside_value(found)) <= {"E3": 3, "E4": 1}.get(case, 0)
-    # measured 0.0039, 0.0028, 0.0096, 0.0078
-    assert np.mean(np.abs(found - reference.value)) < {"E1": 0.005, "E2": 0.0036, "E3": 0.0125,
-                                                       "E4": 0.010}[case]
+    # measured 0.0039, 0.0028, 0.0096, 0.0078; 0.0031, 0.0055, 0.0025
+    assert np.mean(np.abs(found - reference.value)) < {"E1": 0.005, "E2": 0.0036, "E3": 0.0125, "E4": 0.010,
+                                                       "E5": 0.0040, "E7": 0.0071, "E9": 0.0032}[case]
 
 
 @pytest.mark.parametrize("case", WHEELS)
@@ -34,12 +34,13 @@ def test_the_rolling_radius_difference_is_the_standards(case):
     reference = np.array(en15302.radius_difference(case))
     assert np.max(np.abs(reference[0])) >= 6.8 * MM
     off = en15302.distances(reference, en15302.found_curve(case)) / MM
-    # measured 0.0252, 0.0100, 0.0055, 0.0239 mm
-    assert np.mean(off) < {"E1": 0.032, "E2": 0.013, "E3": 0.0071, "E4": 0.031}[case]
-    assert np.max(off) < 0.15                   # [mm] measured 0.101, 0.054, 0.115, 0.103
+    # measured 0.0252, 0.0100, 0.0055, 0.0239; 0.0086, 0.0044, 0.0185 mm
+    assert np.mean(off) < {"E1": 0.032, "E2": 0.013, "E3": 0.0071, "E4": 0.031, "E5": 0.011, "E7": 0.0057,
+                           "E9": 0.024}[case]
+    assert np.max(off) < 0.15                   # [mm] measured 0.101, 0.054, 0.115, 0.103; 0.073, 0.115, 0.101
 
 
-@pytest.mark.parametrize("case", [*WHEELS, *UNEQUAL])
+@pytest.mark.parametrize("case", WHEELS)
 def test_the_references_curves_have_its_conicities(case):
     """The integration alone, of the standard's own curve: also of different wheels left and right.
 

@@ -14,10 +14,10 @@ from tests.helpers.paths import TESTS
 from wrcontact import ContactSystem, Profile, ProfileWarning
 
 FOLDER = TESTS / "reference" / "en15302"
-#: Wheels of the cases with two equal wheels.
-WHEELS = {"E1": "A", "E2": "B", "E3": "H", "E4": "I"}
-#: Cases with different wheels or diameters on the two sides, of which only the curves are used.
-UNEQUAL = ("E5", "E7", "E9")
+#: Left and right wheel of each case.
+WHEELS = {"E1": "AA", "E2": "BB", "E3": "HH", "E4": "II", "E5": "AA", "E7": "HH", "E9": "BA"}
+#: Nominal radius of the left wheel [m], where it is not that of the right one.
+LEFT_RADIUS = {"E5": 0.459, "E7": 0.459}
 GAUGE = 1435.16 * MM     # [m] of the standard's rails
 
 
@@ -38,6 +38,14 @@ class Limits(NamedTuple):
     def inside_shift(self, found):
         """Whether they keep the limits that follow from the tolerance on the lateral shift."""
         return (self.lower_shift <= found) & (found <= self.upper_shift)
+
+
+def wheel_words(case):
+    """The wheels of a case, of different ones the left one first."""
+    left, right = WHEELS[case]
+    if case in LEFT_RADIUS:
+        return f"{left}, left of diameter {2e3 * LEFT_RADIUS[case]:g} mm"
+    return right if left == right else f"{left} left, {right} right"
 
 
 def columns(name, case):
@@ -71,8 +79,9 @@ def profile(kind, letter):
 @cache
 def found_curve(case):
     """Our lateral shift (n,) [m] and rolling radius difference (n,) [m], of a wheelset that does not roll."""
-    system = ContactSystem(wheel=profile("wheel", WHEELS[case]), rail=profile("rail", "A"),
-                           rail_inclination=0.0, gauge=GAUGE)
+    wheels = tuple(profile("wheel", letter) for letter in WHEELS[case])
+    system = ContactSystem(wheel=wheels, rail=profile("rail", "A"), rail_inclination=0.0, gauge=GAUGE,
+                           nominal_radius=(LEFT_RADIUS.get(case, 0.46), 0.46))
     return wrcontact.check(system).conicity_curves["level"]
 
 

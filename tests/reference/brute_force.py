@@ -198,6 +198,7 @@ class Track:
     rail_origin: float  # track y of the highest point of the right head [m]
     nominal_radius: float = 0.46
     half_distance: float = 0.75  # running circle to track centre [m]
+    height: float | None = None  # of the wheelset's centre over the running circles [m]; None: the radius
 
 
 def track(rail="UIC60", inclination=1 / 40, gauge=1.435, gauge_depth=0.014):
@@ -228,7 +229,7 @@ class Pose:
         return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, ct, -st], [0, st, ct]])
 
     def centre(self, system):
-        return np.array([0.0, self.lateral_shift, self.vertical_shift - system.nominal_radius])
+        return np.array([0.0, self.lateral_shift, self.vertical_shift - (system.height or system.nominal_radius)])
 
 
 def wheel_surface(system, pose, phi, y, zone=None):
@@ -363,27 +364,30 @@ class Wheelset:
 ROLL_RANGE = 0.03  # [rad]
 
 
-def equilibrium_roll(system, lateral_shift, yaw):
+def equilibrium_roll(system, lateral_shift, yaw, left=None):
     """Roll at which the smallest gaps of both wheels agree [rad]; their difference
     falls steadily with roll."""
+    left = left or system
 
     def difference(roll):
         pose = Pose(lateral_shift, yaw, roll)
-        return smallest_gap(system, pose)[0] - smallest_gap(system, pose.mirrored())[0]
+        return smallest_gap(system, pose)[0] - smallest_gap(left, pose.mirrored())[0]
 
     return brentq(difference, -ROLL_RANGE, ROLL_RANGE, xtol=1e-16, rtol=1e-15)
 
 
-def rigid_contact(system, lateral_shift, yaw=0.0):
-    """Rigid equilibrium of the wheelset at a lateral shift [m] and yaw [rad]."""
-    roll = equilibrium_roll(system, lateral_shift, yaw)
+def rigid_contact(system, lateral_shift, yaw=0.0, left=None):
+    """Rigid equilibrium of the wheelset at a lateral shift [m] and yaw [rad]; ``left`` is the
+    left side as a right one, where it differs."""
+    left = left or system
+    roll = equilibrium_roll(system, lateral_shift, yaw, left)
     pose = Pose(lateral_shift, yaw, roll)
-    right, left = smallest_gap(system, pose), smallest_gap(system, pose.mirrored())
-    shift = float(min(right[0], left[0]))
+    on_right, on_left = smallest_gap(system, pose), smallest_gap(left, pose.mirrored())
+    shift = float(min(on_right[0], on_left[0]))
     return Wheelset(lateral_shift, yaw, roll, shift,
-                    left=contact(system, Pose(lateral_shift, yaw, roll, shift).mirrored(), *left[1:],
+                    left=contact(left, Pose(lateral_shift, yaw, roll, shift).mirrored(), *on_left[1:],
                                  side=-1),
-                    right=contact(system, Pose(lateral_shift, yaw, roll, shift), *right[1:], side=+1))
+                    right=contact(system, Pose(lateral_shift, yaw, roll, shift), *on_right[1:], side=+1))
 
 
 def contact(system, pose, phi, y, zone, side):

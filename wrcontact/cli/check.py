@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 from rich import box
@@ -10,7 +11,8 @@ from rich.table import Table
 
 from ..conditioning.conformal import NEAR
 from ..conditioning.jumps import merged_jumps
-from ..interface.parameters import GEOMETRY
+from ..conditioning.report import differing_left
+from ..interface.parameters import GEOMETRY, LEFT, SIDED
 from .report import console
 
 #: Lateral shifts of the printed table [mm].
@@ -50,16 +52,22 @@ def print_check(report):
     """Print all tables and remarks of a :class:`~wrcontact.conditioning.Conditioning`."""
     out, chosen = console(), report.system.parameters
     inclination = chosen["rail_inclination"]
-    out.print(f"{report.wheel.name} on {report.rail.name}: gauge {_mm(chosen['gauge'])} mm, "
+    out.print(f"{report.system.title}: gauge {_mm(chosen['gauge'])} mm, "
               f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
               f"{_mm(chosen['nominal_radius'])} mm, running circles {_mm(chosen['running_circle_distance'])} "
-              "mm apart; without yaw", soft_wrap=True)
+              f"mm apart{differing_left(report.system)}; without yaw", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)
+    mirrored = " (the left one's are the mirror image)" if report.system.equal_sides else ""
     parts = [("Profiles", profile_table(report)),
-             ("Jumps of the right contact (the left one's are the mirror image)", jump_table(report)),
+             (f"Jumps of the right contact{mirrored}", jump_table(report)),
              ("Right contact over the lateral shift", move_table(report.curves)),
              ("Equivalent conicity", conicity_table(report.conicity)),
              ("Conformal zones of the right contact", zone_table(report))]
+    if not report.system.equal_sides:
+        parts[1:1] = [("Profiles of the left side", profile_table(report, "left"))]
+        parts += [("Jumps of the left contact", jump_table(report, "left")),
+                  ("Left contact over the lateral shift", move_table(report.curves, "left")),
+                  ("Conformal zones of the left contact", zone_table(report, "left"))]
     for title, table in parts:
         out.print(f"\n{title}{'' if table.row_count else ': none'}", soft_wrap=True)
         if table.row_count:
@@ -95,33 +103,35 @@ def _table(*headings):
     return table
 
 
-def profile_table(report):
-    """Ends of each profile, the part in contact, its roughness there, and its points if it comes from a
-    file."""
-    both = (report.wheel, report.rail)
+def profile_table(report, side="right"):
+    """Ends of each profile of a side, the part in contact, its roughness there, and its points if it comes
+    from a file."""
+    both = (report.wheel, report.rail) if side == "right" else (report.left_wheel, report.left_rail)
     table = Table("", "", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
     for quality in both:
         table.add_column(f"{quality.kind} {quality.name}", justify="right")
     for words, unit, factor, digits, read in QUALITIES:
         table.add_row(words, unit, *(_shown(read(quality), factor, digits) for quality in both))
-    for words, unit, factor, digits, read in READINGS if report.wheel.reading or report.rail.reading else ():
+    for words, unit, factor, digits, read in READINGS if any(quality.reading for quality in both) else ():
         table.add_row(words, unit, *(_shown(read(quality.reading), factor, digits) if quality.reading else "-"
                                      for quality in both))
     return table
 
 
-def jump_table(report):
-    """Lateral shift of each jump, and the positions on wheel and rail before and after it, for rising
-    shift."""
+def jump_table(report, side="right"):
+    """Lateral shift of each jump of a side, and the positions on wheel and rail before and
+    after it, for rising shift."""
     table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
-    for jump in merged_jumps(report.jumps, "right"):
+    for jump in merged_jumps(report.jumps, side):
         places = (jump.before, jump.after, jump.rail_before, jump.rail_after)
         table.add_row(_shown(jump.lateral_shift, 1e3, 4), *(_shown(y, 1e3, 2) for y in places))
     return table
 
 
-def move_table(curves):
-    """Rates of roll and contact position, and the contact's geometry, at the shifts PRINTED."""
+def move_table(curves, side="right"):
+    """Rates of roll and contact position, and the contact's geometry, of a side at the shifts PRINTED."""
+    if side == "left":
+        curves = replace(curves, right=curves.left)
     table = _table("shift\nmm", *(heading for heading, *_ in MOVES))
     for shift in PRINTED:
         at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
@@ -141,12 +151,12 @@ def conicity_table(conicity):
     return table
 
 
-def zone_table(report):
-    """Ranges of lateral shift over which the right contact is conformal."""
+def zone_table(report, side="right"):
+    """Ranges of lateral shift over which the contact of a side is conformal."""
     table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over",
                    "turns by\ndeg")
     for zone in report.conformal:
-        if zone.side == "right":
+        if zone.side == side:
             table.add_row(*(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)), *(_shown(y, 1e3, 1) for y in
                           (zone.y_low, zone.y_high, zone.width)), _shown(zone.turn, math.degrees(1), 1))
     return table
@@ -158,10 +168,13 @@ def zone_table(report):
 def check_text(report):
     """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI with its attribute names; null for
     NaN."""
-    chosen = report.system.parameters
+    right, left = report.system.parameters, report.system.side_parameters("left")
     fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
     system = {"wheel": report.wheel.name, "rail": report.rail.name,
-              **{name: chosen[name] for name in GEOMETRY}}
+              **{name: right[name] for name in GEOMETRY}}
+    if not report.system.equal_sides:
+        system |= {"left_wheel": report.left_wheel.name, "left_rail": report.left_rail.name,
+                   **{LEFT + name: left[name] for name in SIDED if name in GEOMETRY}}
     return json.dumps(_plain({**fields, "system": system}), indent=1)
 
 

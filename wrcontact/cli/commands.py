@@ -93,6 +93,10 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
                                    "built-in name")] = None,
           rail: Annotated[str | None, typer.Option(
               metavar="FILE", help="Rail profile, likewise")] = None,
+          left_wheel: Annotated[str | None, typer.Option(
+              metavar="FILE", help="Wheel profile of the left side, where it differs")] = None,
+          left_rail: Annotated[str | None, typer.Option(
+              metavar="FILE", help="Rail profile of the left side, where it differs")] = None,
           smoothing: Smoothing = None):
     """Pack the FMU of a wheelset on track and print its path.
 
@@ -103,7 +107,7 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
     if platforms and not native:
         raise Refused("--platforms is given; it is permitted only with --native")
     with sentences(typed, code=1), working("building the FMU"):
-        paths = built(native, platforms, output=output, wheel=wheel, rail=rail,
+        paths = built(native, platforms, output=output, wheel=(left_wheel, wheel), rail=(left_rail, rail),
                       smoothing=None if smoothing is None else smoothing / 1e6)
     print(*paths, sep="\n")
 
@@ -218,6 +222,7 @@ def check(geometry,
     The command prints and draws where the contact jumps, how fast contact and roll change with the lateral
     shift, where wheel and rail are conformal, the quality of the profiles, and the equivalent conicity at 1
     to 8 mm (EN 15302). The exit code is 1 if the pair has no contact within 1 mm of the centred position.
+    Where the left side differs, its picture is written beside that of the right one, as check_left.png.
 
     Example: wrcontact check --wheel worn.whl --rail 60E1 --output worn.png
     """
@@ -230,13 +235,16 @@ def check(geometry,
     with working("checking the pair", 2) as advance:
         report = conditioning.check(system)
         advance(words="drawing the picture")
-        figure = check_figure(report)
+        pictures = {output: check_figure(report)}
+        if not system.equal_sides:
+            pictures[output.with_stem(output.stem + "_left")] = check_figure(report, side="left")
     print_check(report)
     with sentences():
         if file:
             write_atomically(file, check_text(report).encode())
-        save(figure, output)
-    print(f"\npicture written to {output}")
+        for target, figure in pictures.items():
+            save(figure, target)
+    print(f"\npicture written to {' and '.join(map(str, pictures))}")
     if not report.usable:
         raise typer.Exit(1)
 

@@ -13,7 +13,7 @@ from typing import Annotated
 import typer
 
 from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
-from ..interface.parameters import PARAMETERS
+from ..interface.parameters import LEFT, PARAMETERS
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
 from ..status import distinct
@@ -76,7 +76,8 @@ POSE = [v for v in VARIABLES if v.causality == INPUT and v.name != "roll_guess"]
 LOAD = [v for v in POSE if v.name != "lateral_shift"]
 SYSTEM = [v for v in VARIABLES if v.causality == PARAMETER]
 #: Profiles, track and wheelset, without materials and methods.
-GEOMETRY = [v for v in SYSTEM if (v.keyword or v.name) in ("wheel", "rail", *GEOMETRY_NAMES)]
+GEOMETRY = [v for v in SYSTEM
+            if (v.keyword or v.name).removeprefix(LEFT) in ("wheel", "rail", *GEOMETRY_NAMES)]
 PANELS = {INPUT: "Pose and load", PARAMETER: "Wheelset, track, material and methods"}
 
 
@@ -105,7 +106,7 @@ def takes(**groups):
 
 def name_of(variable):
     """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
-    return variable.keyword or variable.name
+    return variable.keyword or variable.name.replace(".", "_")
 
 
 def option_of(variable):
@@ -124,11 +125,16 @@ def _option(variable):
     unit = _display(variable)
     start = (f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL
              else variable.start)
-    words = WORDS.get(name_of(variable), variable.meaning) + (f", in {unit}" if unit
-                                                              else "") + f" (default: {start})"
+    right = PARAMETERS[name_of(variable)].right if variable.causality == PARAMETER else ""
+    if right:
+        words, start = (f"{WORDS.get(right, right.replace('_', ' ').capitalize())}, on the left side",
+                        "as right")
+    else:
+        words = WORDS.get(name_of(variable), variable.description)
+    words += (f", in {unit}" if unit else "") + f" (default: {start})"
     kind, reading = str, {"metavar": "NAME"}
     if variable.type == REAL:
-        kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable) == RATIO
+        kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable).endswith(RATIO)
                                 else number}
     option = typer.Option(option_of(variable), help=words, show_default=False,
                           rich_help_panel=PANELS[variable.causality], **reading)
@@ -152,9 +158,10 @@ def _checked(variable, value):
     family = PARAMETERS[name_of(variable)].family
     if family and value not in family.names():
         raise Refused(f"{option} is {value!r}; permitted are {', '.join(map(repr, family.names()))}")
-    if variable.type == REAL and not variable.minimum <= found <= variable.maximum:
+    known = PARAMETERS[PARAMETERS[name_of(variable)].right or name_of(variable)].number
+    if known is not None and not known.low <= found <= known.high:
         unit = UNITS[variable.unit]
-        low, high = (limit * unit.display_factor for limit in (variable.minimum, variable.maximum))
+        low, high = (limit * unit.display_factor for limit in (known.low, known.high))
         text = distinct(value, high if value > high else low)
         raise Refused(f"{option} is {text}; permitted is {low:g} ... {high:g} {unit.display}".rstrip())
     return found

@@ -47,7 +47,7 @@ def print_state(system, state):
     """One state in display units, left and right side by side."""
     shift, yaw = state.inputs[:2]
     out = console()
-    out.print(f"{system.wheel.name} on {system.rail.name}: lateral shift {shown(shift, 'm')} mm, yaw "
+    out.print(f"{system.title}: lateral shift {shown(shift, 'm')} mm, yaw "
               f"{shown(yaw, 'rad')} deg, {load_words(system, state)}", soft_wrap=True)
     out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
               f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)

@@ -39,7 +39,7 @@ SWEEP = Typed(lateral_shift="lateral shift")
 def typed(sentence):
     """A sentence of :class:`~wrcontact.ContactSystem` with options in place of its keywords."""
     for keyword, option in OPTIONS.items():
-        first = "^" if keyword in ("wheel", "rail", "load") else r"\b(?<![-'])"
+        first = "^" if keyword in ("wheel", "rail", "left_wheel", "left_rail", "load") else r"\b(?<![-'])"
         if keyword in PARAMETERS:
             sentence = re.sub(rf"{first}{keyword}\b(?= is |[^\w'-]|$)", option, sentence)
     return sentence

@@ -49,12 +49,12 @@ class ConformalZone:
 
 
 class Outlines:
-    """Right wheel and right rail of a system, as points."""
+    """Wheel and rail of one side of a system as those of a right side, as points."""
 
-    def __init__(self, system):
-        wheel, rail, self.rail_y = system.profile_tables()
-        self.radius, self.arm = (system.parameters["nominal_radius"],
-                                 system.parameters["running_circle_distance"] / 2)
+    def __init__(self, system, side="right"):
+        wheel, rail, self.rail_y = system.profile_tables(side)
+        chosen = system.side_parameters(side)
+        self.radius, self.arm = chosen["nominal_radius"], chosen["running_circle_distance"] / 2
         self.y = places(wheel, STEP)
         self.z = evaluate_table(wheel, self.y)[0]
         self.angle = np.arctan2(self.z[CHORD:] - self.z[:-CHORD], self.y[CHORD:] - self.y[:-CHORD])
@@ -82,9 +82,9 @@ class Outlines:
 def near_stretches(system, lateral_shift, table):
     """Length [m] and change of direction [rad] of the close stretches (2, n) by side, for the states
     ``table`` at these shifts (n,)."""
-    outlines, found = Outlines(system), {}
+    found = {}
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
-        wheel = getattr(table, side)
+        outlines, wheel = Outlines(system, side), getattr(table, side)
         rows = zip(sign * lateral_shift, sign * table.roll, wheel.contact_angle, wheel.contact.y_wheel)
         found[side] = np.array([outlines.near(*row) if math.isfinite(row[1]) else (math.nan, math.nan)
                                 for row in rows]).T

@@ -21,13 +21,22 @@ ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder 
 
 def sentences(found):
     """The remarks (a tuple of sentences) on the results of ``check``, a Conditioning."""
+    equal = found.system.equal_sides
     on_profiles = *_on_profile(found.wheel), *_on_profile(found.rail)
+    if not equal:
+        on_profiles = (*on_profiles, *_on_profile(found.left_wheel, "left "),
+                       *_on_profile(found.left_rail, "left "))
     if not math.isfinite(found.usable_shifts[0]):
         return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
                 *on_profiles)
     return (*_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
-            *_on_jumps(found.jumps, found.nearest_jump), *_on_moves(found.curves),
-            *_on_zones(found.conformal), *_on_conicity(found.conicity), *on_profiles)
+            *_on_jumps(found.jumps, found.nearest_jump, equal), *_on_moves(found.curves, equal),
+            *_on_zones(found.conformal, equal), *_on_conicity(found.conicity), *on_profiles)
+
+
+def _named(equal):
+    """The sides of which something is said: of equal sides the right one."""
+    return ("right",) if equal else ("left", "right")
 
 
 def _mm(value, digits=2):
@@ -51,32 +60,38 @@ def _on_range(usable, usable_shifts, flange_shift, curves):
         yield f"the flange touches from {_mm(flange_shift)} mm of lateral shift on"
 
 
-def _on_jumps(jumps, nearest_jump):
+def _on_jumps(jumps, nearest_jump, equal):
     if nearest_jump < CLOSE:
         nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
         distance = _mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)
         yield (f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
                f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which "
                "place is in contact")
-    count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, "right"))
-    if count > MANY:
-        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the "
-               "curvatures are rough, or the two profiles are nearly equal there")
+    for side in _named(equal):
+        count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, side))
+        if count > MANY:
+            yield (f"the {side} contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: "
+                   f"the "
+                   "curvatures are rough, or the two profiles are nearly equal there")
 
 
-def _on_moves(curves):
+def _on_moves(curves, equal):
     near = np.abs(curves.lateral_shift) <= RUNNING
-    rate = np.where(near & np.isfinite(curves.right.wheel_rate), np.abs(curves.right.wheel_rate), 0.0)
-    worst = int(np.argmax(rate))
-    if rate[worst] > FAST:
-        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on "
-               "its wheel per mm of lateral shift")
+    for side in _named(equal):
+        rate = getattr(curves, side).wheel_rate
+        rate = np.where(near & np.isfinite(rate), np.abs(rate), 0.0)
+        worst = int(np.argmax(rate))
+        if rate[worst] > FAST:
+            yield (f"at {_mm(curves.lateral_shift[worst])} mm the {side} contact moves by {rate[worst]:.0f} "
+                   f"mm "
+                   "on its wheel per mm of lateral shift")
 
 
-def _on_zones(conformal):
+def _on_zones(conformal, equal):
     for zone in conformal:
-        if zone.side == "right" and zone.start <= RUNNING and zone.stop >= -RUNNING:
-            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and "
+        if zone.side in _named(equal) and zone.start <= RUNNING and zone.stop >= -RUNNING:
+            yield (f"the {zone.side} contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: "
+                   f"wheel and "
                    f"rail are within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their "
                    f"direction changes there by up to {math.degrees(zone.turn):.0f} deg")
 
@@ -94,8 +109,8 @@ def _on_conicity(conicity):
         yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
 
 
-def _on_profile(profile):
-    name = f"{profile.kind} profile {profile.name}"
+def _on_profile(profile, side=""):
+    name = f"{side}{profile.kind} profile {profile.name}"
     for remark in profile.reading.remarks if profile.reading else ():
         yield f"{name}: {remark}"
     if profile.kinks:

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..conventions import SIDES
+from ..conventions import MIRROR, SIDES
 from ..interface.inputs import LATERAL_LIMIT
-from ..interface.parameters import GEOMETRY, Wheelset
+from ..interface.parameters import GEOMETRY, LEFT, SIDED
 from ..results.words import ShortText
 from ..status import Status
 from ..system import ContactSystem
@@ -37,14 +37,15 @@ class Conditioning(ShortText):
     jumps : tuple of :class:`~wrcontact.conditioning.Jump`, left ones first.
     nearest_jump : lateral shift [m] from the centred position to the nearest jump of either
     contact; infinite without one.
-    flange_shift : lateral shift [m] beyond which the right contact is steeper than 45 deg;
-    infinite if it never is.
+    flange_shift : lateral shift [m] beyond which the right contact, or to the left the left one, is steeper
+        than 45 deg, the smaller of both; infinite if neither ever is.
     curves : :class:`~wrcontact.conditioning.Curves` over the lateral shift, every 0.05 mm within +-15 mm.
     conformal : tuple of :class:`~wrcontact.conditioning.ConformalZone`, left ones first.
     conicity : :class:`~wrcontact.conditioning.Conicity` at amplitudes of 1 ... 8 mm.
     conicity_curves : dict with "level" and "rolled": (lateral shift (n,), rolling radius difference (n,))
         [m], the data of the conicity, with both values at every jump; None without contact.
-    wheel, rail : :class:`~wrcontact.conditioning.ProfileQuality`.
+    wheel, rail, left_wheel, left_rail : :class:`~wrcontact.conditioning.ProfileQuality` of the right and of
+        the left side's profiles; those of equal sides are the same, visited by both contacts.
     remarks : tuple of sentences on what to know about the pair; empty if there is nothing special.
     """
 
@@ -60,6 +61,8 @@ class Conditioning(ShortText):
     conicity_curves: dict
     wheel: ProfileQuality
     rail: ProfileQuality
+    left_wheel: ProfileQuality
+    left_rail: ProfileQuality
     remarks: tuple
 
 
@@ -84,11 +87,12 @@ def check(system):
         "usable_shifts": _usable_shifts(rolling, shifts, np.asarray(table.status)),
         "jumps": jumps,
         "nearest_jump": float(np.min(jump_distance(jumps, np.zeros(1)))),
-        "flange_shift": _flange_shift(rolling, curves),
+        "flange_shift": min(_flange_shift(rolling, curves, side)
+                            for side in (("right",) if system.equal_sides else SIDES)),
         "curves": curves,
         "conformal": conformal_zones(shifts, {side: getattr(curves, side) for side in SIDES}),
-        "conicity": conicities(*swings.values(),
-                               **{name: system.parameters[name] for name in Wheelset.keywords()}),
+        "conicity": conicities(*swings.values(), nominal_radius=system.centre_height,
+                               running_circle_distance=system.parameters["running_circle_distance"]),
         "conicity_curves": swings,
         **_profiles(rolling, curves),
     }
@@ -98,11 +102,23 @@ def check(system):
     return replace(silent, remarks=sentences(silent))
 
 
+def differing_left(system):
+    """What a headline adds on the left side: its nominal radius and inclination where they differ."""
+    right, left, words = system.parameters, system.side_parameters("left"), []
+    if left["nominal_radius"] != right["nominal_radius"]:
+        words.append(f"nominal radius {left['nominal_radius'] * 1e3:.6g} mm")
+    if left["rail_inclination"] != right["rail_inclination"]:
+        lean = left["rail_inclination"]
+        words.append(f"inclination 1:{1 / lean:.4g}" if lean else "upright rail")
+    return f"; on the left {', '.join(words)}" if words else ""
+
+
 def _wheelset(system, contact_mode):
     """The same wheelset and track with Hertz contact and this contact mode; a compliant one is evaluated at
     zero roll."""
-    chosen = {name: system.parameters[name] for name in GEOMETRY}
-    return ContactSystem(system.wheel, system.rail, **chosen, contact_mode=contact_mode, normal_model="hertz")
+    chosen = {name: system.parameters[name] for name in (*GEOMETRY, *(LEFT + name for name in SIDED[2:]))}
+    return ContactSystem((system.left_wheel, system.wheel), (system.left_rail, system.rail), **chosen,
+                         contact_mode=contact_mode, normal_model="hertz")
 
 
 def _shifts(step):
@@ -174,31 +190,46 @@ def _swing_curve(system, jumps):
     return (shifts[run], difference[run]) if run.stop - run.start > 1 else None
 
 
-def _flange_shift(system, curves):
-    """Lateral shift [m] beyond which the right contact is steeper than FLANGE; infinite if it never is."""
-    angle = curves.right.contact_angle
+def _flange_shift(system, curves, side):
+    """Lateral shift [m], counted towards the ``side``, beyond which its contact is steeper than FLANGE;
+    infinite if it never is."""
+    sign = 1.0 if side == "right" else MIRROR[0]
+    order = slice(None, None, int(sign))
+    shifts, angle = sign * curves.lateral_shift[order], getattr(curves, side).contact_angle[order]
     steep = np.flatnonzero(np.isfinite(angle) & ~(angle < FLANGE))
     if not len(steep):
         return math.inf
-    at = curves.lateral_shift[steep[0]]
+    at = shifts[steep[0]]
     if steep[0] == 0 or not math.isfinite(angle[steep[0] - 1]):
         return float(at)
-    return float(_boundary(lambda shift: geometry(system, [shift]).right.contact_angle[0] >= FLANGE, at,
-                           curves.lateral_shift[steep[0] - 1]))
+
+    def touches(shift):
+        return getattr(geometry(system, [sign * shift]), side).contact_angle[0] >= FLANGE
+
+    return float(_boundary(touches, at, shifts[steep[0] - 1]))
 
 
 def _profiles(system, curves):
     """:class:`ProfileQuality` of both profiles, for contacts at shifts up to the largest amplitude."""
     near = np.abs(curves.lateral_shift) <= AMPLITUDES[-1]
-    wheel, rail, _ = system.profile_tables()
-    inclination = system.parameters["rail_inclination"]
-    return {"wheel": profile_quality(system.wheel, wheel, _visited("y_wheel", curves, near)),
-            "rail": profile_quality(system.rail, rail, _visited("y_rail", curves, near), inclination)}
+    found = {}
+    for side, prefix in (("right", ""), ("left", LEFT)):
+        wheel, rail, _ = system.profile_tables(side)
+        inclination = system.side_parameters(side)["rail_inclination"]
+        sides = SIDES if system.equal_sides else (side,)
+        wheel_profile, rail_profile = (getattr(system, prefix + kind) for kind in ("wheel", "rail"))
+        found |= {prefix + "wheel": profile_quality(wheel_profile, wheel,
+                                                    _visited("y_wheel", curves, near, sides)),
+                  prefix + "rail": profile_quality(rail_profile, rail,
+                                                   _visited("y_rail", curves, near, sides), inclination)}
+        if system.equal_sides:
+            return found | {LEFT + kind: quality for kind, quality in found.items()}
+    return found
 
 
-def _visited(name, curves, near):
-    """Smallest and largest ``name`` [m] of both contacts at the shifts ``near`` (a mask (n,)); NaN without
-    contact."""
-    found = np.concatenate([getattr(getattr(curves, side), name)[near] for side in SIDES])
+def _visited(name, curves, near, sides):
+    """Smallest and largest ``name`` [m] of the contacts of ``sides`` at the shifts ``near`` (a mask (n,));
+    NaN without contact."""
+    found = np.concatenate([getattr(getattr(curves, side), name)[near] for side in sides])
     found = found[np.isfinite(found)]
     return (float(np.min(found)), float(np.max(found))) if len(found) else (math.nan, math.nan)

@@ -19,21 +19,37 @@ def chosen_profiles(smoothing=None, **chosen):
     """Start values of the profile parameters, and the profiles that come from files, by file
     name; each file is read once.
 
+    ``chosen`` are ``wheel_profile`` and ``rail_profile``, each a name, a file, or a pair (left, right).
     Files are packed as prepared profiles with their own names: reading points needs scipy,
     which an FMU does not have.
     """
-    given = {parameter: name for parameter, name in chosen.items() if name is not None}
+    given = {parameter: name for parameter, name in _split(chosen).items() if name is not None}
     system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in given.items()},
                            smoothing=smoothing)
     starts = {parameter: str(name) for parameter, name in given.items()}
     starts |= {parameter: standard_name(name) for parameter, name in starts.items()
                if standard_name(name) and not Path(name).is_file()}
-    profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
+    profiles = {f"{argument}_profile": getattr(system, argument)
+                for argument in ("wheel", "rail", "left_wheel", "left_rail")}
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
-    if len(set(files.values())) < len(files):
-        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename "
-                         "one of them")
+    for file in files.values():
+        sharing = [parameter for parameter in files if files[parameter] == file]
+        if len({("wheel" in parameter, starts[parameter]) for parameter in sharing}) > 1:
+            words = [parameter.removesuffix("_profile").replace("_", " ") for parameter in sharing]
+            raise ValueError(f"{' and '.join(words)} profile have the same file name, {file}; rename one of "
+                             "them")
     return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
+
+
+def _split(chosen):
+    """A pair (left, right) as two parameters."""
+    found = {}
+    for parameter, value in chosen.items():
+        if isinstance(value, (tuple, list)):
+            found[f"left_{parameter}"], found[parameter] = value
+        else:
+            found[parameter] = value
+    return found
 
 
 def licence(name):

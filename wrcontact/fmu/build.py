@@ -43,7 +43,7 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
     ----------
     output : folder of the FMU, created if necessary.
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
-        :class:`~wrcontact.ProfileFile`; or a built-in name.
+        :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises

@@ -37,7 +37,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     ----------
     output : folder of the FMUs; made if it is not there.
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
-        :class:`~wrcontact.ProfileFile`; or a built-in name.
+        :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.

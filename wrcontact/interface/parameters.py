@@ -61,6 +61,11 @@ GROUPS = {"track": Track, "wheelset": Wheelset, "material": Material}
 #: Keywords that say where the profiles can touch.
 GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
 
+#: Keywords whose value may differ on the left side, where a keyword of its own, with this before its name,
+#: says so; without a value it is as on the right.
+LEFT = "left_"
+SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination")
+
 #: Numbers that belong to none of the records.
 STATIONS = Number(
     STATION_COUNT,
@@ -96,6 +101,8 @@ class Parameter:
     number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
     family : its :class:`~wrcontact.methods.families.Family`; None but for methods.
     fmu_name : its name in an FMU, "" where an FMU does not have it.
+    right : the keyword of the right side, of which it is the value on the left; "" for all others.  Its
+        default, None, is the value on the right; an FMU has "" or 0 for that.
     """
 
     name: str
@@ -104,14 +111,19 @@ class Parameter:
     number: Number | None = None
     family: object = None
     fmu_name: str = ""
+    right: str = ""
 
     @property
     def start(self):
         """The default of an FMU and the command line."""
+        if self.right and self.number is None:
+            return ""
         return self.default if self.default is not None else self.number.start
 
     def checked(self, value):
         """``value`` in its type and range; ValueError, in a sentence, where it is not permitted."""
+        if self.right and self.number is not None and value is not None:
+            return PARAMETERS[self.right].number.checked(self.name, value)
         if self.number is not None:
             return self.number.checked(self.name, value)
         if self.family is not None:
@@ -130,6 +142,17 @@ def _profile(kind, default):
 
 def _numeric(name, known):
     return Parameter(name, known.meaning, known.default, known, fmu_name="" if known.python_only else name)
+
+
+def _left(row):
+    """The row of the left side beside one of the right."""
+    known = row.number
+    if known is None:
+        meaning = f"Left side: {row.meaning[0].lower()}{row.meaning[1:]}; empty: as on the right"
+    else:
+        known = replace(known, default=None, low=0.0, start=0.0, nominal=known.nominal or known.default)
+        meaning = f"Left side: {known.meaning[0].lower()}{known.meaning[1:]}; 0: as on the right"
+    return Parameter(LEFT + row.name, meaning, None, known, fmu_name=LEFT + row.fmu_name, right=row.name)
 
 
 def _method(family):
@@ -162,6 +185,16 @@ def _numbers_of(family):
 
 
 def _rows():
+    sided = []
+    for row in _right_rows():
+        yield row
+        if row.name in SIDED:
+            sided.append(_left(row))
+    yield from sided
+
+
+def _right_rows():
+    """All rows but those of the left side."""
     yield _profile("wheel", "S1002")
     yield _profile("rail", "UIC60")
     for group in GROUPS.values():
@@ -184,7 +217,7 @@ PARAMETERS = {row.name: row for row in _rows()}
 KERNEL_PARAMETERS = tuple(
     row.name
     for row in PARAMETERS.values()
-    if row.family or (row.number is not None and row.start is not None)
+    if not row.right and (row.family or (row.number is not None and row.start is not None))
 )
 
 
@@ -206,7 +239,7 @@ def checked_parameters(given, groups):
     ValueError
         in one sentence with name, value, unit and permitted range or choices.
     """
-    given = dict(given)
+    given = _split(given)
     for name, group in groups.items():
         if group is not None:
             if not isinstance(group, GROUPS[name]):
@@ -219,6 +252,28 @@ def checked_parameters(given, groups):
             _take(method, given, family.parameter)
     parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
     return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+
+
+def _split(given):
+    """The keywords ``given``, a pair (left, right) as two; ValueError where the left one is there besides."""
+    found = dict(given)
+    for name in SIDED:
+        value = found.get(name)
+        if isinstance(value, (tuple, list)):
+            if len(value) != 2:
+                raise ValueError(f"{name} is {value!r}; permitted is one value, or (left, right)")
+            if found.get(LEFT + name) is not None:
+                raise ValueError(f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "
+                                 f"permitted is "
+                                 "one of the two")
+            found[LEFT + name], found[name] = value
+    return found
+
+
+def on_the_left(parameters):
+    """``parameters`` as the left side has them: of each keyword in :data:`SIDED` the value on the left."""
+    own = {name: parameters[LEFT + name] for name in SIDED}
+    return parameters | {name: value for name, value in own.items() if value is not None}
 
 
 def warn_of_parameters(parameters, stacklevel):

@@ -47,13 +47,24 @@ class Input(Row):
 
     ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
     :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.  Outside ``usual`` =
-    (low, high) a value is rather a typing error.
+    (low, high) a value is rather a typing error.  ``place`` says whose value it is ("Left rail").
     """
 
     start: float = 0.0
     hint: bool = False
     positional: bool = False
     usual: tuple | None = None
+    place: str = ""
+
+    @property
+    def words(self):
+        """The meaning, preceded by the place where there is one."""
+        return f"{self.place}: {self.meaning}" if self.place else self.meaning
+
+    @property
+    def keyword(self):
+        """The argument of :meth:`~wrcontact.ContactSystem.evaluate`."""
+        return self.name.replace(".", "_")
 
 
 @dataclass(frozen=True)

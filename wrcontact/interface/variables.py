@@ -71,6 +71,7 @@ def _inputs():
             minimum=row.minimum,
             maximum=row.maximum,
             nominal=row.nominal,
+            place=row.place,
         )
 
 

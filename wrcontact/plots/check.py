@@ -1,11 +1,14 @@
 """The picture of ``wrcontact check``: contact positions, rolling radii, conicity, sensitivities and conformal
 zones."""
 
+from functools import partial
+
 import numpy as np
 
 from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
 from ..conditioning.jumps import merged_jumps
+from ..conditioning.report import differing_left
 from ..profiles.compiled import evaluate_table, places
 from .style import (
     DEGREE,
@@ -36,9 +39,9 @@ BROKEN = {"linestyle": ":", "linewidth": 1.2}
 
 
 @styled
-def check_figure(report, ax=None):
+def check_figure(report, ax=None, side="right"):
     """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in seven panels: the axes ``ax`` (7,)
-    or those of a new figure, which is returned."""
+    or those of a new figure, which is returned; places and rates are those of ``side``."""
     if ax is None:
         figure = new_figure(10, 12.2)
         grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
@@ -46,9 +49,10 @@ def check_figure(report, ax=None):
         ax = [figure.add_subplot(grid[0, :]), *(figure.add_subplot(grid[row, column])
                                                 for row in (1, 2, 3) for column in (0, 1))]
     figure, panels = given_axes(ax, (7,))
-    draw_places(figure, panels[0], report)
+    draw_places(figure, panels[0], report, side)
     for panel, draw in zip(panels[1:],
-                           (draw_radii, draw_conicity, draw_moves, draw_roll_rate, draw_distance, draw_near)):
+                           (draw_radii, draw_conicity, partial(draw_moves, of=side), draw_roll_rate,
+                            draw_distance, partial(draw_near, of=side))):
         draw(panel, report)
     return figure
 
@@ -56,30 +60,32 @@ def check_figure(report, ax=None):
 def _headline(report):
     chosen = report.system.parameters
     lean = chosen["rail_inclination"]
-    return (f"{report.wheel.name} on {report.rail.name}, "
+    return (f"{report.system.title}, "
             f"{f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, gauge {chosen['gauge'] / MM:.6g} mm, "
-            f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm")
+            f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm{differing_left(report.system)}")
 
 
 # --- places of contact -----------------------------------------------------------------------------
 
 
-def draw_places(figure, panel, report):
+def draw_places(figure, panel, report, of="right"):
     """Wheel above rail, contact points joined by lines coloured by the lateral shift; jumps are dotted."""
     panel.set_label("places")
-    panel.set_title("Contact points of right wheel and rail; dotted beside a jump")
-    wheel, rail, y_top = report.system.profile_tables()
+    panel.set_title(f"Contact points of {of} wheel and rail; dotted beside a jump")
+    wheel, rail, y_top = report.system.profile_tables(of)
+    on_wheel, on_rail = ((report.wheel, report.rail) if of == "right"
+                         else (report.left_wheel, report.left_rail))
     # lateral distance of the rail's frame from the wheel's in the centred position
     aside = y_top - report.system.parameters["running_circle_distance"] / 2
-    side, colours = report.curves.right, _shift_colours()
-    _draw_profile(panel, wheel, report.wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
-    _draw_profile(panel, rail, report.rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
+    side, colours = getattr(report.curves, of), _shift_colours()
+    _draw_profile(panel, wheel, on_wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
+    _draw_profile(panel, rail, on_rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
     for shift in np.arange(-SHOWN, SHOWN + 0.5 * JOINED, JOINED):
         at = int(np.argmin(np.abs(report.curves.lateral_shift - shift)))
         if np.isfinite(side.y_wheel[at]):
             _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at],
                   color=colours.to_rgba(shift / MM), linewidth=0.9)
-    for jump in _shown_jumps(report, "right"):
+    for jump in _shown_jumps(report, of):
         colour = colours.to_rgba(jump.lateral_shift / MM)
         for place, beside in ((jump.before, jump.rail_before), (jump.after, jump.rail_after)):
             top = _join(panel, wheel, rail, aside, place, beside, color=colour, **BROKEN)
@@ -172,16 +178,16 @@ def _legend(panel):
 # --- conditioning ----------------------------------------------------------------------------------
 
 
-def draw_moves(panel, report):
-    """Rate of the right contact position on wheel and rail, per lateral shift; logarithmic, linear near
+def draw_moves(panel, report, of="right"):
+    """Rate of the contact position of one side on wheel and rail, per lateral shift; logarithmic, linear near
     zero."""
     panel.set_label("moves")
-    panel.set_title("Rate of the right contact per lateral shift")
-    shift, side = report.curves.lateral_shift / MM, report.curves.right
+    panel.set_title(f"Rate of the {of} contact per lateral shift")
+    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
     rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
     for rate, colour, words in rates:
-        panel.plot(*_broken(report, shift, np.abs(rate), "right"), color=colour, label=words)
-    _mark_jumps(panel, report, ("right",))
+        panel.plot(*_broken(report, shift, np.abs(rate), of), color=colour, label=words)
+    _mark_jumps(panel, report, (of,))
     _shift_axis(panel, "mm / mm", rates=True)
     panel.legend(loc="best")
 
@@ -215,16 +221,16 @@ def draw_distance(panel, report):
     panel.set_ylim(0, None)
 
 
-def draw_near(panel, report):
-    """Length of the close stretch on the right wheel; conformal shifts are shaded."""
+def draw_near(panel, report, of="right"):
+    """Length of the close stretch on the wheel of one side; conformal shifts are shaded."""
     panel.set_label("near")
-    panel.set_title(f"Length of the right wheel within {NEAR / MM:g} mm of the rail")
-    shift, side = report.curves.lateral_shift / MM, report.curves.right
+    panel.set_title(f"Length of the {of} wheel within {NEAR / MM:g} mm of the rail")
+    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
     for zone in report.conformal:
-        if zone.side == "right":
+        if zone.side == of:
             panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0,
                           gid="conformal")
-    panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
+    panel.plot(*_broken(report, shift, side.near_width / MM, of), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
     panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)",
                ha="left", va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())

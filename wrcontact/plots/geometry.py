@@ -28,14 +28,15 @@ def wheel_outline(system, state, side):
 
 def wheel_locus(system, state, side):
     """Track coordinates x, y, z [m] of the same curve, three arrays (n,)."""
-    profile = readable_wheel(system.wheel)
+    profile = readable_wheel(system.wheel if side == "right" else system.left_wheel)
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]
     z, slope, _ = profile.evaluate(y)
     pose = np.array([state.inputs[0], state.inputs[1], state.roll])
     sign = 1.0 if side == "right" else MIRROR[0]
     place = Place.at(np.zeros(PLACE_SIZE))
-    chosen = system.parameters
-    place_wheelset(place, *(sign * pose), chosen["nominal_radius"], chosen["running_circle_distance"] / 2)
+    chosen = system.side_parameters(side)
+    place_wheelset(place, *(sign * pose), chosen["nominal_radius"], system.centre_height,
+                   chosen["running_circle_distance"] / 2)
     points = np.array([(_along(place, *point), *outline_point(place, *point)[:2])
                        for point in zip(y.tolist(), z.tolist(), slope.tolist())])
     return points[:, 0], sign * points[:, 1], points[:, 2] + state.vertical_shift
@@ -67,15 +68,15 @@ def stations_along(system, state, side, station):
 def rail_outline(system, side):
     """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays
     (n,)."""
-    chosen = system.parameters
-    placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
+    chosen, rail = system.side_parameters(side), system.rail if side == "right" else system.left_rail
+    placed = place_rail(rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
     angle = -np.arctan(chosen["rail_inclination"])
-    coarse = np.linspace(system.rail.start, system.rail.stop, POINTS)
-    top = np.argmin(_turned(system.rail, coarse, angle)[1])
+    coarse = np.linspace(rail.start, rail.stop, POINTS)
+    top = np.argmin(_turned(rail, coarse, angle)[1])
     fine = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, POINTS - 1)], POINTS)
-    highest = min(_turned(system.rail, fine, angle).T, key=lambda point: point[1])
-    y, z = _turned(system.rail, coarse, angle) - highest[:, None]
+    highest = min(_turned(rail, fine, angle).T, key=lambda point: point[1])
+    y, z = _turned(rail, coarse, angle) - highest[:, None]
     return (1.0 if side == "right" else MIRROR[0]) * (y + placed.y_track), z
 
 

@@ -8,13 +8,13 @@ from .options import ProfileFile
 from .profile import Profile
 
 
-def find_profile(source, kind, smoothing=None):
+def find_profile(source, kind, smoothing=None, argument=None):
     """The profile for ``source``: a :class:`Profile`, a standard name, the path of a file, or a
     :class:`ProfileFile`.
 
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`.  The case of a name
-    has no effect, unless a file has this very name.  ValueError, in one sentence, if ``source`` is none of
-    these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`; ``argument`` is
+    what the user calls the profile, by default its kind.  The case of a name has no effect, unless a file has
+    this very name.  ValueError, in one sentence, if ``source`` is none of these.
     """
     smoothing_in_mm(smoothing)
     if isinstance(source, Profile):
@@ -30,5 +30,6 @@ def find_profile(source, kind, smoothing=None):
     if standard in names:
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
-    raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a "
+    raise ValueError(f"{argument or kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the "
+                     f"path of a "
                      "profile file, or a Profile")

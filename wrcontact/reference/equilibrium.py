@@ -105,7 +105,7 @@ def stand_of(pair, index, settings, force, last=None):
         wheel, penetration = None, 0.0
         y, z = place - touching.centre[1:]
         lever = -(y * math.cos(angle) - z * math.sin(angle)) / math.cos(angle)
-    height = touching.centre[2] + touching.radius + penetration
+    height = touching.centre[2] + touching.height + penetration
     return Stand(height, (2 * index - 1) * lever, penetration, wheel)
 
 

@@ -23,7 +23,7 @@ def shared_parts(tables, tolerance, rows, places, processes):
 
     Parameters
     ----------
-    tables : of a stepper, with what is wanted and prescribed.
+    tables : of a stepper's right and left side, with what is wanted and prescribed.
     tolerance : as for :func:`~wrcontact.reference.stepping.halfspace_solver`.
     places : of the wanted outputs, None for all.
 
@@ -35,8 +35,9 @@ def shared_parts(tables, tolerance, rows, places, processes):
     parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
     with TemporaryDirectory() as folder:
         # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
-        path = Path(folder, "tables.npy")
-        np.save(path, tables)
+        path = Path(folder, "tables.npz")
+        right, left = tables
+        np.savez(path, right=right, **({} if left is right else {"left": left}))
         pool = ProcessPoolExecutor(min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin,
                                    (path, tolerance, places))
         try:
@@ -52,7 +53,8 @@ def shared_parts(tables, tolerance, rows, places, processes):
 
 def _begin(path, tolerance, places):
     global _worker
-    _worker = Stepper(np.load(path), halfspace_solver(tolerance)), places
+    with np.load(path) as tables:
+        _worker = Stepper(tables["right"], halfspace_solver(tolerance), tables.get("left")), places
 
 
 def _evaluated(rows):

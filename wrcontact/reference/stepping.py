@@ -36,13 +36,14 @@ class HalfspaceSolver:
     Parameters
     ----------
     tolerance : permitted relative error, as for :func:`~wrcontact.reference.halfspace.solve_contact`.
-    tables, state, workspace, inputs, outputs : arrays as for the kernel, used where they are.
+    tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
     """
 
-    def __init__(self, tolerance, tables, state, workspace, inputs, outputs):
+    def __init__(self, tolerance, tables, state, workspace, inputs, outputs, left=None):
         self.tolerance, self._tables, self._workspace = tolerance, tables, workspace
+        self._sides = tables if left is None else left, tables
         self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
-        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry)
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry, left)
         self.compiled = self._kernel.compiled
         self._pressed = None
         self._answer, self._status = None, None
@@ -113,16 +114,30 @@ class HalfspaceSolver:
         total = write_side(side, wheel.counted_from(self._contact(index, side)[0]), index, centre,
                            outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
         side[layout.SIDE_PENETRATION] = depth
+        record, (lateral, vertical) = layout.SideOutputs.at(side), self._moved(index)
+        for patch in record.patch:
+            if patch.normal_force > 0.0:
+                patch.y_track += lateral
+                patch.z_track += vertical
         return total
 
     def _pair(self, index, roll, height):
         """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
-        return wheel_on_rail(self._tables, index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
-                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height)
+        return wheel_on_rail(self._sides[index], index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
+                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
+                             rail=self._moved(index))
+
+    def _moved(self, index):
+        """Displacement of a side's rail to the right and down [m]."""
+        first = layout.IN_LEFT_RAIL_LATERAL if index == 0 else layout.IN_RIGHT_RAIL_LATERAL
+        return self._inputs[first:first + 2]
 
     def _contact(self, index, side):
-        """Place of the contact point across and down, in the frame of a right wheel."""
-        return (2.0 * index - 1.0) * side[layout.SIDE_Y_TRACK], side[layout.SIDE_Z_TRACK]
+        """Place of the contact point across and down, in the frame of a right wheel on a rail that is not
+        moved."""
+        lateral, vertical = self._moved(index)
+        return ((2.0 * index - 1.0) * (side[layout.SIDE_Y_TRACK] - lateral),
+                side[layout.SIDE_Z_TRACK] - vertical)
 
     def _force(self, index):
         """The force that is prescribed for a side [N]."""
@@ -168,13 +183,16 @@ class HalfspaceSolver:
     def _geometry_at(self, roll, height):
         """The kernel's outputs and status for a wheelset with this roll [rad] and vertical shift [m]."""
         if self._pressed is None:
-            arrays = (self._tables.copy(), np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
-                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs))
-            arrays[0][layout.SET_MODE] = layout.MODE_COMPLIANT
+            tables = self._tables.copy()
+            left = tables if self._sides[0] is self._tables else self._sides[0].copy()
+            arrays = (tables, np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
+                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs), left)
+            for each in (tables, left):
+                each[layout.SET_MODE] = layout.MODE_COMPLIANT
             self._pressed = default_kernel().bind(*arrays), *arrays
-        kernel, tables, _, workspace, inputs, outputs = self._pressed
+        kernel, tables, _, workspace, inputs, outputs, left = self._pressed
         for place in (layout.SET_SIDES, layout.SET_DEPTH):
-            tables[place] = self._tables[place]
+            tables[place] = left[place] = self._tables[place]
         workspace[layout.WORK_KNOWN] = 0.0
         inputs[:] = self._inputs
         inputs[layout.IN_ROLL], inputs[layout.IN_VERTICAL_SHIFT] = roll, height

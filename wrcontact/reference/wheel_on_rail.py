@@ -43,8 +43,8 @@ class WheelOnRail:
     Attributes
     ----------
     wheel, rail : compiled profile tables.
-    radius, arm, rail_y : nominal radius, half the distance of the running circles, track coordinate of the
-        rail [m].
+    radius, height, arm, rail_y : nominal radius, height of the wheelset's centre above the running circles,
+        half the distance of the running circles, track coordinate of the rail [m].
     centre : of the wheelset in the track frame (3,) [m].
     attitude : R = Rz(yaw) Rx(roll), wheelset to track (3, 3).
     """
@@ -52,6 +52,7 @@ class WheelOnRail:
     wheel: np.ndarray
     rail: np.ndarray
     radius: float
+    height: float
     arm: float
     rail_y: float
     centre: np.ndarray
@@ -136,20 +137,23 @@ class WheelOnRail:
         return self.radius + float(evaluate_table(self.wheel, _within(self.wheel, y))[0])
 
 
-def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift):
+def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift, rail=(0.0, 0.0)):
     """The wheel of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of the half-space.
 
-    ``tables`` are those of the kernel; lengths in m, angles in rad.
+    ``tables`` are those of the kernel for this side; lengths in m, angles in rad.  A ``rail`` that is
+    displaced (to the right, down) counts as a wheelset that is displaced the other way.
     """
+    lateral_shift -= rail[0]
     if index == 0:
         lateral_shift, yaw, roll = (sign * value
                                     for sign, value in zip(MIRROR, (lateral_shift, yaw, roll)))
-    radius = tables[layout.SET_RADIUS]
+    height = tables[layout.SET_HEIGHT] + rail[1]
     return WheelOnRail(
         wheel=tables[int(tables[layout.SET_WHEEL]):int(tables[layout.SET_RAIL])],
         rail=tables[int(tables[layout.SET_RAIL]):int(tables[layout.SET_SCAN])],
-        radius=radius, arm=tables[layout.SET_ARM], rail_y=tables[layout.SET_RAIL_Y],
-        centre=np.array([0.0, lateral_shift, vertical_shift - radius]), attitude=_attitude(yaw, roll))
+        radius=tables[layout.SET_RADIUS], height=height, arm=tables[layout.SET_ARM],
+        rail_y=tables[layout.SET_RAIL_Y], centre=np.array([0.0, lateral_shift, vertical_shift - height]),
+        attitude=_attitude(yaw, roll))
 
 
 def _attitude(yaw, roll):

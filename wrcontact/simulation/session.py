@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from .. import status as outcomes
+from ..interface.parameters import LEFT, SIDED
 from ..interface.variables import FIRST_OUTPUT, INTEGER, OUTPUT, PARAMETER, REAL, STATUS, STRING, VARIABLES
 from ..kernel import layout
 from ..methods.choices import check_choice
@@ -140,7 +141,9 @@ class Session:
     def _build(self, parameters):
         """The kernel, prepared for these parameters."""
         arguments = {PARAMETERS[name].keyword: value for name, value in parameters.items()}
-        for profile in ("wheel", "rail"):
+        for name in SIDED:
+            arguments[LEFT + name] = arguments[LEFT + name] or None     # "" and 0 are as on the right
+        for profile in ("wheel", "rail", "left_wheel", "left_rail"):
             arguments[profile] = self._profile(arguments[profile])
         try:
             for name, value in parameters.items():

@@ -2,7 +2,7 @@
 the same bits either way.
 
     kernel = default_kernel()
-    bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once
+    bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once; ``left=`` where sides differ
     inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     status = bound.step()                                               # writes outputs and state
 
@@ -69,17 +69,19 @@ class Kernel:
     def compiled(self):
         return self.library is not None
 
-    def bind(self, tables, state, workspace, inputs, outputs):
-        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
-        arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
+    def bind(self, tables, state, workspace, inputs, outputs, left=None):
+        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are.
+        ``tables`` are those of the right side, ``left`` those of the left one; None is the same."""
+        arrays = (checked("left", tables if left is None else left, SETTING_COUNT),
+                  checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
                   checked("workspace", workspace, WORK_SIZE, written=True),
                   checked("inputs", inputs, INPUT_COUNT),
                   checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, hertz, influence):
-        """Outcome, tables and report of prepare/tables.py for these arrays: a setup, two
-        definitions, two tables."""
+        """Outcome, tables and report of prepare/tables.py for one side and these arrays: a setup, two
+        definitions, two tables.  :meth:`complete` has to follow."""
         given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
                                                           ("hertz", hertz), ("influence", influence))]
         outcome, room = TABLES_FULL, TABLE_ROOM
@@ -97,23 +99,30 @@ class Kernel:
         source = import_module("..prepare.tables", __package__)
         _, wheel, rail, hertz, influence, _, work, report = map(view, arrays)
         setup, head = Setup.at(arrays[0]), Tables.at(arrays[5])
-        outcome = source.prepare(setup, wheel, rail, hertz, influence, head, work, report)
-        if outcome == source.PREPARED:
-            fill_starts(source, Tables.at(arrays[5][:int(arrays[-1][REPORT_SIZE])]))
-            source.write_methods(setup, head)
-        return outcome
+        return source.prepare(setup, wheel, rail, hertz, influence, head, work, report)
+
+    def complete(self, setup, left, right):
+        """Write starts and methods into the prepared tables of both sides; one array where they are equal."""
+        if self.compiled:
+            work = np.zeros(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT)
+            self.library.wrcontact_complete(span(setup), span(left), span(right), work.ctypes.data)
+            return
+        source = import_module("..prepare.tables", __package__)
+        fill_starts(source, Tables.at(left), Tables.at(right), int(left is right))
+        for tables in (left, right):
+            source.write_methods(Setup.at(setup), Tables.at(tables))
 
 
-def fill_starts(source, tables):
+def fill_starts(source, left, right, equal):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
     state, workspace, inputs, outputs = (np.zeros(size)
                                          for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
     for row in range(START_COUNT):
-        Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
-        status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
-        source.note_start(tables, Work.at(workspace).outputs, row, status)
-    source.open_starts(tables)
+        Inputs.at(inputs).lateral_shift = source.start_shift(right, row)
+        status = step(left, right, State.at(state), Work.at(workspace), view(inputs), view(outputs))
+        source.note_start(right, Work.at(workspace).outputs, row, status)
+    source.open_starts(right, equal)
 
 
 class CompiledKernel:
@@ -122,7 +131,7 @@ class CompiledKernel:
     compiled = True
 
     def __init__(self, library, arrays):
-        self._library, self._size = library, row_size(Tables.at(arrays[0]))
+        self._library, self._size = library, row_size(Tables.at(arrays[1]))
         handle = Handle(*map(span, arrays))
         # it holds bare addresses: they live as long as it, or a bare ``step``, does
         handle.arrays = arrays
@@ -157,9 +166,9 @@ class PythonKernel:
 
     def __init__(self, arrays):
         self._source = import_module("..wheelset.step", __package__)      # not before it is needed
-        tables, state, workspace, inputs, outputs = arrays
+        left, tables, state, workspace, inputs, outputs = arrays
         self._size = row_size(Tables.at(tables))
-        self._records = Tables.at(tables), State.at(state), Work.at(workspace)
+        self._records = Tables.at(left), Tables.at(tables), State.at(state), Work.at(workspace)
         self.step = partial(self._source.step, *self._records, view(inputs), view(outputs))
 
     def step_many(self, count, inputs, outputs, statuses):
@@ -184,7 +193,8 @@ class Preparation(ctypes.Structure):
 class Handle(ctypes.Structure):
     """wrcontact_handle in native/wrcontact_kernel.h."""
 
-    _fields_ = [(name, Span) for name in ("tables", "state", "workspace", "inputs", "outputs")]
+    _fields_ = [(name, Span) for name in ("left_tables", "right_tables", "state", "workspace", "inputs",
+                                          "outputs")]
 
 
 def fingerprint(folder=HERE):
@@ -215,6 +225,7 @@ def declare(library):
     library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
+    library.wrcontact_complete.argtypes, library.wrcontact_complete.restype = [Span] * 3 + [address], None
     library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int
     library.wrcontact_tangent_room.argtypes, library.wrcontact_tangent_room.restype = [], ctypes.c_int64
 

@@ -1,4 +1,5 @@
-"""What is fixed during a simulation, prepared once into the one array that the kernel reads.
+"""What is fixed during a simulation, prepared once into the arrays that the kernel reads: one for each side,
+or one for both where they are equal.
 
 The kernel's own preparation (kernel/prepare/tables.py) lays it out from the profiles' definitions, in Python
 and in a native FMU alike.
@@ -12,34 +13,59 @@ from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
 from ..prepare.scan import FINE_STEP
-from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS
+from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS, on_the_left
 
 #: Place in the setup of every parameter that the kernel has.
 PLACES = {name: layout.SETUP_PARAMETERS + k for k, name in enumerate(KERNEL_PARAMETERS)}
 
 
 def setup_of(parameters, methods):
-    """The kernel's setup (n,) for checked ``parameters`` and the objects of all ``methods``, by name."""
+    """The kernel's setup (n,) of the right side for checked ``parameters`` and the objects of all
+    ``methods``, by name; that of the left side for those of :func:`on_the_left`."""
     setup = np.full(layout.SETUP_SIZE, np.nan)
     for name, place in PLACES.items():
         value = methods[name].kernel_number if name in methods else parameters[name]
         setup[place] = PARAMETERS[name].start if value is None else value
     resolution = methods["normal_model"].resolution
     setup[layout.SETUP_RESOLUTION:][:len(resolution)] = resolution
+    radii = parameters["nominal_radius"], on_the_left(parameters)["nominal_radius"]
+    setup[layout.SETUP_HEIGHT] = 0.5 * (radii[0] + radii[1])
     return setup
 
 
-def prepare_tables_of(wheel, rail, *, parameters, methods):
-    """Settings and tables (n,) for the upright profiles ``wheel`` and ``rail``; the
-    rest as for :func:`setup_of`.
+def prepare_sides(right, left, *, parameters, methods):
+    """Settings and tables (n,) of the right and of the left side, the same array where both are equal.
+
+    Parameters
+    ----------
+    right, left : (wheel, rail), the upright profiles of each side.
+    parameters, methods : as for :func:`setup_of`.
 
     Raises
     ------
     ValueError
         where profiles and parameters do not fit each other, in a sentence.
     """
-    setup = setup_of(parameters, methods)
-    outcome, tables, report = default_kernel().prepare(setup, wheel.definition(), rail.definition(),
+    setups = setup_of(parameters, methods), left_setup(parameters, methods)
+    definitions = [[profile.definition() for profile in side] for side in (right, left)]
+    tables = prepare_side(setups[0], *definitions[0], *right)
+    equal = all(np.array_equal(*both, equal_nan=True) for both in (setups, *zip(*definitions)))
+    left_tables = tables if equal else prepare_side(setups[1], *definitions[1], *left)
+    default_kernel().complete(setups[0], left_tables, tables)
+    return tables, left_tables
+
+
+def left_setup(parameters, methods):
+    """The kernel's setup (n,) of the left side; the rest as for :func:`setup_of`."""
+    setup = setup_of(on_the_left(parameters), methods)
+    setup[layout.SETUP_HEIGHT] = setup_of(parameters, methods)[layout.SETUP_HEIGHT]
+    return setup
+
+
+def prepare_side(setup, wheel_definition, rail_definition, wheel, rail):
+    """The tables (n,) of one side without starts and methods, for definitions of the profiles ``wheel`` and
+    ``rail``."""
+    outcome, tables, report = default_kernel().prepare(setup, wheel_definition, rail_definition,
                                                        hertz_table(), influence_table())
     if outcome == prepare_tables.PREPARED:
         return tables

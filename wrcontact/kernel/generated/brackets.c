@@ -201,14 +201,10 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
  * how much lower the right one carries its load than the left one [m], 1 if both can carry
  * their loads, else 0, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
 {
-    double flat_force;
-    double steep_force;
     int64_t status;
-    double height;
-    int64_t outcome;
-    if (trial__turn_to(tables, work, state, roll) == INT64_C(0))
+    if (trial__turn_to(left_tables, right_tables, work, state, roll) == INT64_C(0))
     {
         (*residual) = 0.0;
         (*satisfied) = INT64_C(0);
@@ -216,47 +212,54 @@ static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* sa
         return 0;
     }
     (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-    flat_force = left;
-    steep_force = right;
     if (flat == INT64_C(1))
     {
-        flat_force = right;
-        steep_force = left;
+        brackets__level_residual(residual, satisfied, &status, right_tables, left_tables, work, state, INT64_C(1), right, left);
+        (*residual) = -(*residual);
     }
-    status = brackets__bracket_height(tables, work, state, flat, flat_force);
-    if (status > layout__UNLOADED)
+    else
+    {
+        brackets__level_residual(residual, satisfied, &status, left_tables, right_tables, work, state, INT64_C(0), left, right);
+    }
+    (*result_2) = status;
+    return 0;
+}
+
+/* Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
+ * other one carries ``steep_force`` [N] [m], 1 if both can carry their loads, else 0, and the outcome.
+ */
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, int64_t* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, array_double_1d state, int64_t flat, double flat_force, double steep_force)
+{
+    double height;
+    int64_t outcome;
+    (*status) = brackets__bracket_height(flat_tables, work, state, flat, flat_force);
+    if ((*status) > layout__UNLOADED)
     {
         (*residual) = 0.0;
         (*satisfied) = INT64_C(0);
-        (*result_2) = status;
         return 0;
     }
     height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
-    brackets__height_residual(residual, satisfied, &outcome, tables, work, state, INT64_C(1) - flat, steep_force, height);
+    brackets__height_residual(residual, satisfied, &outcome, steep_tables, work, state, INT64_C(1) - flat, steep_force, height);
     (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
-    if (outcome > status)
+    if (outcome > (*status))
     {
-        status = outcome;
+        (*status) = outcome;
     }
-    if (flat == INT64_C(1))
-    {
-        (*residual) = -(*residual);
-    }
-    (*result_2) = status;
     return 0;
 }
 
 /* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
  * NOT_CONVERGED if there is none within ROLL_LIMIT.
  */
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
 {
     double residual;
     int64_t satisfied;
     int64_t status;
     double reach;
     double value;
-    brackets__roll_residual(&residual, &satisfied, &status, tables, work, state, roll, left, right, flat);
+    brackets__roll_residual(&residual, &satisfied, &status, left_tables, right_tables, work, state, roll, left, right, flat);
     if (status > layout__UNLOADED)
     {
         return status;
@@ -277,7 +280,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = roll + reach;
-            brackets__roll_residual(&value, &satisfied, &status, tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = value;
         }
         else
@@ -285,7 +288,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = roll - reach;
-            brackets__roll_residual(&value, &satisfied, &status, tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = value;
         }
         if (status > layout__UNLOADED)
@@ -300,7 +303,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
  * from the rigid ``roll``.
  */
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
     int64_t flat;
     double residual;
@@ -309,7 +312,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     double end;
     double other;
     flat = brackets__flatter_side(work);
-    (*status) = brackets__enclose_roll(tables, work, state, roll, left, right, flat);
+    (*status) = brackets__enclose_roll(left_tables, right_tables, work, state, roll, left, right, flat);
     if ((*status) > layout__UNLOADED)
     {
         (*result_0) = roll;
@@ -320,7 +323,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
     {
         roll = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        brackets__roll_residual(&residual, &satisfied, status, tables, work, state, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
         if ((*status) > layout__UNLOADED)
         {
             (*result_0) = roll;
@@ -343,7 +346,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
         if (roll != end)
         {
             roll = end;
-            brackets__roll_residual(&residual, &satisfied, status, tables, work, state, roll, left, right, flat);
+            brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
         }
     }
     if (satisfied == INT64_C(0))
@@ -355,7 +358,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
             other = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
         }
         roll = other;
-        brackets__roll_residual(&residual, &satisfied, status, tables, work, state, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
     }
     if ((*status) <= layout__UNLOADED)
     {

@@ -28,8 +28,9 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
 static OUT_OF_LINE int64_t brackets__height_residual(double* residual, int64_t* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
 static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work);
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, int64_t* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, array_double_1d state, int64_t flat, double flat_force, double steep_force);
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 
 #endif

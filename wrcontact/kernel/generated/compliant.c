@@ -7,51 +7,47 @@
 #include "compliant.h"
 
 /* Both sides of the wheelset at the height and roll of the inputs; the outcome. */
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
     double roll;
     double height;
     int64_t status;
-    int64_t index;
     int64_t outcome;
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    roll__place_both(work, tables, roll);
+    roll__place_both(work, left_tables, right_tables, roll);
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
-    status = layout__VALID;
-    if (roll__search_both(work, tables, state, compliant__follow_starts(tables, work, state)) == INT64_C(0))
+    if (roll__search_both(work, left_tables, right_tables, state, compliant__follow_starts(left_tables, right_tables, work, state)) == INT64_C(0))
     {
         return layout__OFF_PROFILE;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    status = compliant__load_at_height(left_tables, work, state, INT64_C(0), height);
+    outcome = compliant__load_at_height(right_tables, work, state, INT64_C(1), height);
+    if (outcome > status)
     {
-        outcome = compliant__load_at_height(tables, work, state, index, height);
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        status = outcome;
     }
     return status;
 }
 
 /* 1 if both smallest gaps could be followed from where they are known near the lateral shift, else 0. */
-static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
     int64_t row;
     int64_t start;
     int64_t known;
-    row = starts__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
+    row = starts__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
     known = INT64_C(0);
     if (row >= INT64_C(0))
     {
-        start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
-        known = roll__follow_side(work, tables, layout__WORK_SIDES, state);
+        start = (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_LEFT));
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_RIGHT));
+        known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
         if (known == INT64_C(1))
         {
-            known = roll__follow_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+            known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
         }
     }
     return known;

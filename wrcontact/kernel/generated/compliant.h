@@ -16,8 +16,8 @@
 
 static const double compliant__GRAZING = 1e-13;
 
-static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 
 #endif

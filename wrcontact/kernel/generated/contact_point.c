@@ -38,12 +38,12 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
     if (index == INT64_C(0))
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)));
     }
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
     regions__measure_contact(work, tables, state);

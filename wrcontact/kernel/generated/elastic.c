@@ -21,16 +21,16 @@
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
  * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
     int64_t status;
     double height;
     double move;
     double rigid_roll;
-    status = trial__estimate_approach(tables, work, state, INT64_C(0), left);
+    status = trial__estimate_approach(left_tables, work, state, INT64_C(0), left);
     if (status == layout__VALID)
     {
-        status = trial__estimate_approach(tables, work, state, INT64_C(1), right);
+        status = trial__estimate_approach(right_tables, work, state, INT64_C(1), right);
     }
     if (status != layout__VALID)
     {
@@ -38,22 +38,22 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         (*result_1) = status;
         return 0;
     }
-    elastic__first_estimate(&height, &move, tables, work);
+    elastic__first_estimate(&height, &move, left_tables, right_tables, work);
     rigid_roll = roll;
     roll += move;
-    if (trial__turn_near(tables, work, state, roll) == INT64_C(0))
+    if (trial__turn_near(left_tables, right_tables, work, state, roll) == INT64_C(0))
     {
         (*result_0) = roll;
         (*result_1) = layout__OFF_PROFILE;
         return 0;
     }
-    elastic__iterate(&roll, &status, tables, work, state, roll, height, left, right);
+    elastic__iterate(&roll, &status, left_tables, right_tables, work, state, roll, height, left, right);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if (status == layout__NOT_CONVERGED)
     {
-        brackets__bracket_roll(&roll, &status, tables, work, state, rigid_roll, left, right);
+        brackets__bracket_roll(&roll, &status, left_tables, right_tables, work, state, rigid_roll, left, right);
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -63,20 +63,20 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
 /* Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
  * its rail as far as estimated.
  */
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work)
+static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
 {
     int64_t right;
     double lever_left;
     double lever_right;
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
-    lever_right = side__side_lever(tables, work, INT64_C(1), INT64_C(0));
+    lever_left = side__side_lever(left_tables, work, INT64_C(0), INT64_C(0));
+    lever_right = side__side_lever(right_tables, work, INT64_C(1), INT64_C(0));
     (*move) = 0.0;
     if (lever_left + lever_right < -elastic__LEAST_LEVER)
     {
         (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
     }
-    (*move) = touching__limited((*move), elastic__LONGEST / (*cspan_at(&tables, layout__TABLES_ARM)));
+    (*move) = touching__limited((*move), elastic__LONGEST / (*cspan_at(&right_tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
     (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
     return 0;
@@ -85,7 +85,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
 /* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
  * NOT_CONVERGED where it finds nothing.
  */
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right)
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right)
 {
     double arm;
     int64_t trial;
@@ -93,12 +93,12 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     bool followed;
     int64_t status;
     int64_t index;
-    arm = (*cspan_at(&tables, layout__TABLES_ARM));
+    arm = (*cspan_at(&right_tables, layout__TABLES_ARM));
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)((int64_t)((*cspan_at(&right_tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP);
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
         moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
@@ -124,7 +124,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             }
             /* the same place again, with patches, or with the smaller gap that was found */
         }
-        status = trial__balance_both(tables, work, state, left, right, height);
+        status = trial__balance_both(left_tables, right_tables, work, state, left, right, height);
         if (status > layout__UNLOADED)
         {
             (*result_0_0001) = roll;
@@ -144,7 +144,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         }
         if ((fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) < elastic__ELASTIC_SHARP) && (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__ELASTIC_SHARP))
         {
-            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && (elastic__gaps_hold(tables, work, state, roll) == INT64_C(1)))
+            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && (elastic__gaps_hold(left_tables, right_tables, work, state, roll) == INT64_C(1)))
             {
                 for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
                 {
@@ -167,7 +167,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*result_1_0001) = layout__NOT_CONVERGED;
             return 0;
         }
-        if (trial__turn_near(tables, work, state, roll) == INT64_C(0))
+        if (trial__turn_near(left_tables, right_tables, work, state, roll) == INT64_C(0))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = layout__NOT_CONVERGED;
@@ -183,14 +183,14 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
  *
  * Between trials they are only followed: an answer is certified once.
  */
-static OUT_OF_LINE int64_t elastic__gaps_hold(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE int64_t elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
 {
     double left;
     double right;
     int64_t hold;
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    hold = trial__turn_to(tables, work, state, roll);
+    hold = trial__turn_to(left_tables, right_tables, work, state, roll);
     if (((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) != left) || ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) != right))
     {
         hold = INT64_C(0);

@@ -35,12 +35,12 @@ static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__LEAST_LEVER = 0.01;
 
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE int64_t elastic__find_move(array_double_1d work, double arm);
-static OUT_OF_LINE int64_t elastic__gaps_hold(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 
 #endif

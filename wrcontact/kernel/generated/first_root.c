@@ -21,32 +21,32 @@
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that.
  */
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm)
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, int64_t warm)
 {
-    first_root__certified_roll(roll, status, work, tables, state, guess, warm);
+    first_root__certified_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
     if (((*status) != layout__VALID) && ((guess != 0.0) || (warm == INT64_C(1))))
     {
-        first_root__certified_roll(roll, status, work, tables, state, 0.0, INT64_C(0));
+        first_root__certified_roll(roll, status, work, left_tables, right_tables, state, 0.0, INT64_C(0));
     }
     return 0;
 }
 
 /* ``solve_roll`` from this start alone. */
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm)
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, int64_t warm)
 {
-    roll__any_roll(roll, status, work, tables, state, guess, warm);
-    if (((*status) == layout__VALID) && (first_root__falls_at_zero_roll(work, tables, (*roll)) == INT64_C(0)))
+    roll__any_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
+    if (((*status) == layout__VALID) && (first_root__falls_at_zero_roll(work, left_tables, right_tables, (*roll)) == INT64_C(0)))
     {
-        if (first_root__is_certainly_first(work, tables, state, (*roll)) == INT64_C(0))
+        if (first_root__is_certainly_first(work, left_tables, right_tables, state, (*roll)) == INT64_C(0))
         {
-            first_root__first_root(roll, status, work, tables, state, (*roll));
+            first_root__first_root(roll, status, work, left_tables, right_tables, state, (*roll));
         }
     }
     return 0;
 }
 
 /* 1 if D falls through its known root at ``roll``, and that is zero roll, else 0. */
-static inline int64_t first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll)
+static inline int64_t first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
 {
     double difference;
     double move;
@@ -54,7 +54,7 @@ static inline int64_t first_root__falls_at_zero_roll(array_double_1d work, array
     falls = INT64_C(0);
     if (fabs(roll) < first_root__APART)
     {
-        roll__newton_move(&difference, &move, work, tables);
+        roll__newton_move(&difference, &move, work, left_tables, right_tables);
         if (fabs(move) < 0.5)
         {
             falls = INT64_C(1);
@@ -136,30 +136,46 @@ static inline int64_t first_root__is_beside_rail(array_double_1d work, array_dou
  * places that are not beside the rail at zero roll; or those beyond its contact at zero
  * roll, for which that one is searched.
  */
-static inline int64_t first_root__is_certainly_first(array_double_1d work, array_double_1d tables, array_double_1d state, double roll)
+static inline int64_t first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll)
 {
     double sine;
-    int64_t higher;
-    int64_t lower;
     double known;
+    int64_t certain;
+    sine = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW));
+    certain = INT64_C(0);
+    if (roll < 0.0)
+    {
+        known = first_root__largest_lever_beyond(right_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
+        certain = first_root__is_beside_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, roll, sine);
+        if (certain == INT64_C(0))
+        {
+            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), state, known, roll);
+        }
+    }
+    else
+    {
+        known = first_root__largest_lever_beyond(left_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
+        certain = first_root__is_beside_rail(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, roll, sine);
+        if (certain == INT64_C(0))
+        {
+            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), state, known, roll);
+        }
+    }
+    return certain;
+}
+
+/* 1 if D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
+ * ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m].
+ */
+static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll)
+{
+    int64_t lower;
     double gap;
     double y;
     double abscissa;
     int64_t followed;
     int64_t certain;
-    sine = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW));
-    higher = layout__WORK_SIDES;
-    lower = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1);
-    if (roll < 0.0)
-    {
-        higher = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1);
-        lower = layout__WORK_SIDES;
-    }
-    known = first_root__largest_lever_beyond(tables, (*cspan_at(&work, higher + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
-    if (first_root__is_beside_rail(work, tables, lower + layout__SIDE_SEARCH_PLACE, known, roll, sine) == INT64_C(1))
-    {
-        return INT64_C(1);
-    }
+    lower = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     gap = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST));
     y = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y));
     abscissa = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL));
@@ -168,7 +184,7 @@ static inline int64_t first_root__is_certainly_first(array_double_1d work, array
     followed = roll__follow_side(work, tables, lower, state);
     if (smallest_gap__search_side(work, tables, lower, state, followed) == INT64_C(1))
     {
-        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), roll, sine) < 0.0)
+        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), roll, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
         {
             certain = INT64_C(1);
         }
@@ -284,7 +300,7 @@ static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial
 /* 1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign``
  * or, at ``far``, is zero; else 0.
  */
-static inline int64_t first_root__has_no_root(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t near, int64_t far, double sign)
+static inline int64_t first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t near, int64_t far, double sign)
 {
     double width;
     double left_least;
@@ -303,11 +319,11 @@ static inline int64_t first_root__has_no_root(array_double_1d work, array_double
     int64_t clear;
     width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL)));
     roll__turn_both(work, 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL))));
-    first_root__lever_range(&left_least, &left_most, work, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
-    first_root__lever_range(&right_least, &right_most, work, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
-    arm = (*cspan_at(&tables, layout__TABLES_ARM));
-    radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
-    steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / radius;
+    first_root__lever_range(&left_least, &left_most, work, left_tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
+    first_root__lever_range(&right_least, &right_most, work, right_tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
+    arm = (*cspan_at(&right_tables, layout__TABLES_ARM));
+    radius = double_max(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
+    steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / double_min(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
     margin = width * first_root__lever_per_roll(steep, radius, arm);
     least = left_least + right_least - margin;
     most = left_most + right_most + margin;
@@ -328,7 +344,7 @@ static inline int64_t first_root__has_no_root(array_double_1d work, array_double
 }
 
 /* The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``. */
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double roll)
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll)
 {
     double sign;
     double first;
@@ -341,7 +357,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     double middle;
     first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     roll__turn_both(work, 0.0);
-    if (roll__search_both(work, tables, state, INT64_C(0)) == INT64_C(0))
+    if (roll__search_both(work, left_tables, right_tables, state, INT64_C(0)) == INT64_C(0))
     {
         (*result_0) = 0.0;
         (*result_1) = layout__OFF_PROFILE;
@@ -366,7 +382,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     status = layout__VALID;
     if (sign * roll < 0.0)
     {
-        roll__roll_between(&roll, &status, work, tables, state, 0.5 * (first + last), first, last, INT64_C(0));
+        roll__roll_between(&roll, &status, work, left_tables, right_tables, state, 0.5 * (first + last), first, last, INT64_C(0));
         first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     }
     end = INT64_C(0);
@@ -375,7 +391,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     {
         far = layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR + layout__ROLL_TRIAL_SIZE * end;
         width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
-        if ((width < first_root__APART) || (first_root__has_no_root(work, tables, state, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign) == INT64_C(1)))
+        if ((width < first_root__APART) || (first_root__has_no_root(work, left_tables, right_tables, state, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign) == INT64_C(1)))
         {
             first_root__copy_trial(work, far, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR);
             end -= INT64_C(1);
@@ -384,7 +400,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
         {
             middle = 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
             roll__turn_both(work, middle);
-            if (roll__search_both(work, tables, state, INT64_C(0)) == INT64_C(0))
+            if (roll__search_both(work, left_tables, right_tables, state, INT64_C(0)) == INT64_C(0))
             {
                 status = layout__OFF_PROFILE;
             }
@@ -397,7 +413,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
             {
                 /* a root before: it is the known one now */
                 end = INT64_C(0);
-                first_root__root_before(&roll, &status, work, tables, state, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
+                first_root__root_before(&roll, &status, work, left_tables, right_tables, state, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
                 first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
             }
         }
@@ -410,7 +426,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     if (status == layout__VALID)
     {
         roll__turn_both(work, roll);
-        roll__search_both(work, tables, state, INT64_C(0));
+        roll__search_both(work, left_tables, right_tables, state, INT64_C(0));
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -420,7 +436,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
 /* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
  * it has not; and the outcome.
  */
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double near, double middle, double sign)
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double near, double middle, double sign)
 {
     double first;
     double last;
@@ -431,6 +447,6 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
         first = middle - first_root__APART;
         last = near;
     }
-    roll__roll_between(result_0, result_1, work, tables, state, middle, first, last, INT64_C(0));
+    roll__roll_between(result_0, result_1, work, left_tables, right_tables, state, middle, first, last, INT64_C(0));
     return 0;
 }

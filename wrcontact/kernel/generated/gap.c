@@ -123,7 +123,7 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     {
         (*mismatch) = gap__FOLDED;
     }
-    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&work, place + layout__PLACE_RADIUS)));
+    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&work, place + layout__PLACE_HEIGHT)));
     vertical = y_track - (*cspan_at(&work, place + layout__PLACE_SHIFT));
     if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
     {

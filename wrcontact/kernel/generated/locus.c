@@ -13,10 +13,10 @@
 
 #include "locus.h"
 
-/* Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles
- * [m].
+/* Write the pose of a right wheel of this nominal ``radius`` to ``place``; the wheelset's centre has the
+ * ``height`` over the running circles, and ``arm`` is half their distance [m].
  */
-static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double arm)
+static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm)
 {
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
@@ -29,8 +29,23 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
         (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
     (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
     locus__turn_wheelset(work, place, roll);
+    return INT64_C(0);
+}
+
+/* Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
+ * [m]: seen from the rail the wheelset moves the other way.
+ */
+static inline int64_t locus__move_rail(array_double_1d work, int64_t place, double lateral, double vertical)
+{
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= lateral;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += vertical;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
@@ -63,15 +78,16 @@ static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, 
     return INT64_C(0);
 }
 
-/* The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll
- * change sign.
+/* The left wheel of the wheelset at ``place``, with its nominal ``radius`` [m], as a right wheel at
+ * ``mirrored``: shift, yaw and roll change sign.
  */
-static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored)
+static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius)
 {
     (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
     (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
     (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work, place + layout__PLACE_RADIUS));
+    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT));
     (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
     (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
     locus__mirror_roll(work, place, mirrored);
@@ -120,7 +136,8 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
 /* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
  * point (y, z).
  *
- * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
+ * They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
+ * is at minus ``place.height``.
  */
 static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
 {
@@ -141,7 +158,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         (*outline_slope) = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll);
     }
     else
@@ -150,7 +167,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
         cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         (*outline_slope) = (-normal_y) / normal_z;
@@ -184,7 +201,7 @@ static inline int64_t locus__outline_jet(double* y_track, double* z_track, doubl
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         (*stretch) = cos_roll - slope * sin_roll;
         (*outline_slope) = (slope * cos_roll + sin_roll) / (*stretch);
         (*slope_rate) = bend / ((*stretch) * (*stretch));
@@ -201,7 +218,7 @@ static inline int64_t locus__outline_jet(double* y_track, double* z_track, doubl
             phi_rate = (-(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
         }
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         (*stretch) = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;

@@ -3,9 +3,10 @@
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
  * and the native FMU do at the start, outside the hot unit.
  *
- * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
- * the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
- * methods (``write_methods``).
+ * The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
+ * other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
+ * of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
+ * (``write_methods``).
  */
 
 #include "prepare_tables.h"
@@ -60,6 +61,7 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     double nu;
     int64_t i;
     (*cspan_at(&tables, layout__TABLES_RADIUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS));
+    (*cspan_at(&tables, layout__TABLES_HEIGHT)) = (*cspan_at(&setup, layout__SETUP_HEIGHT));
     (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
     nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
@@ -243,10 +245,21 @@ static inline int64_t prepare_tables__note_start(array_double_1d work, array_dou
 
 /* Let the search use the table of starts, once its last row is known.
  *
- * Rows of opposite shifts are made mirror images of each other to the last bit: a wheelset and its mirror
- * image start alike.
+ * Where both sides are equal, ``equal`` = 1, rows of opposite shifts are made mirror images of each other to
+ * the last bit: a wheelset and its mirror image start alike.
  */
-static inline int64_t prepare_tables__open_starts(array_double_1d tables)
+static inline int64_t prepare_tables__open_starts(array_double_1d tables, int64_t equal)
+{
+    if (equal == INT64_C(1))
+    {
+        prepare_tables__mirror_starts(tables);
+    }
+    (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_COUNT)) = (double)(layout__START_COUNT);
+    return INT64_C(0);
+}
+
+/* Rows of negative shifts from those of positive ones. */
+static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
 {
     int64_t rows;
     int64_t row;
@@ -259,6 +272,5 @@ static inline int64_t prepare_tables__open_starts(array_double_1d tables)
     }
     (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_ROLL)) = 0.0;
     (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_RIGHT));
-    (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_COUNT)) = (double)(layout__START_COUNT);
     return INT64_C(0);
 }

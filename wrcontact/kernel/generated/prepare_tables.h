@@ -3,9 +3,10 @@
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
  * and the native FMU do at the start, outside the hot unit.
  *
- * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
- * the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
- * methods (``write_methods``).
+ * The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
+ * other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
+ * of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
+ * (``write_methods``).
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_TABLES_H
@@ -42,6 +43,7 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
-static inline int64_t prepare_tables__open_starts(array_double_1d tables);
+static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);
+static inline int64_t prepare_tables__open_starts(array_double_1d tables, int64_t equal);
 
 #endif

@@ -22,6 +22,10 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__OFF_PROFILE;
     }
+    if (requested__is_rail_far(work) == INT64_C(1))
+    {
+        status = layout__OFF_PROFILE;
+    }
     if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))) > 1.0))
     {
         status = layout__INVALID_INPUT;
@@ -34,6 +38,22 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
         }
     }
     return status;
+}
+
+/* 1 if a rail is displaced further than RAIL_LIMIT, else 0. */
+static inline int64_t requested__is_rail_far(array_double_1d work)
+{
+    int64_t far;
+    far = INT64_C(0);
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL))) > layout__RAIL_LIMIT))
+    {
+        far = INT64_C(1);
+    }
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL))) > layout__RAIL_LIMIT))
+    {
+        far = INT64_C(1);
+    }
+    return far;
 }
 
 /* The prescribed force of side ``index`` [N], with load transfer. */

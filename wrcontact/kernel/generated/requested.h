@@ -11,6 +11,7 @@
 #include "layout.h"
 #include "outlines.h"
 
+static inline int64_t requested__is_rail_far(array_double_1d work);
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline int64_t requested__is_requested(array_double_1d tables, int64_t index);

@@ -123,8 +123,8 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
         normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
     }
     x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
-    y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa);
-    z = height;
+    y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_LATERAL)));
+    z = height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_VERTICAL));
     force_y = mirror * normal_sin * load;
     force_z = (-normal_cos) * load;
     (*cspan_at(&work, resultant + INT64_C(1))) += force_y;
@@ -182,7 +182,7 @@ static inline int64_t resultant__write_resultant(array_double_1d work, array_dou
         (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_MOMENT + i)) = (*cspan_at(&work, right + (INT64_C(3) + i)));
     }
     y = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) -= y * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(2))) - z * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(1)));
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {

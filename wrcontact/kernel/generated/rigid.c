@@ -8,7 +8,7 @@
 /* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
  * moved little, or at those known near its lateral shift.
  */
-static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
+static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
     double shift;
     double guess;
@@ -20,7 +20,7 @@ static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, arra
     warm = INT64_C(0);
     if (guess == 0.0)
     {
-        row = starts__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), shift);
+        row = starts__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), shift);
         if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < rigid__NEAR_SHIFT)))
         {
             guess = (*cspan_at(&state, layout__STATE_ROLL));
@@ -30,19 +30,19 @@ static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, arra
         }
         else if (row >= INT64_C(0))
         {
-            start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-            guess = (*cspan_at(&tables, start + layout__START_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
+            start = (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+            guess = (*cspan_at(&right_tables, start + layout__START_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_RIGHT));
             warm = INT64_C(1);
         }
     }
-    first_root__solve_roll(result_0, result_1, work, tables, state, guess, warm);
+    first_root__solve_roll(result_0, result_1, work, left_tables, right_tables, state, guess, warm);
     return 0;
 }
 
 /* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
-static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t index;
     int64_t outcome;
@@ -54,15 +54,16 @@ static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d
     {
         resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    if (requested__is_requested(right_tables, INT64_C(0)) == INT64_C(1))
     {
-        if (requested__is_requested(tables, index) == INT64_C(1))
+        status = side__solve_side(left_tables, work, state, INT64_C(0), requested__side_force(work, INT64_C(0)));
+    }
+    if (requested__is_requested(right_tables, INT64_C(1)) == INT64_C(1))
+    {
+        outcome = side__solve_side(right_tables, work, state, INT64_C(1), requested__side_force(work, INT64_C(1)));
+        if (outcome > status)
         {
-            outcome = side__solve_side(tables, work, state, index, requested__side_force(work, index));
-            if (outcome > status)
-            {
-                status = outcome;
-            }
+            status = outcome;
         }
     }
     return status;

@@ -16,8 +16,8 @@
 
 static const double rigid__NEAR_SHIFT = 0.0002;
 
-static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
-static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 #endif

@@ -14,10 +14,12 @@
 #include "roll.h"
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll)
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
 {
-    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_RADIUS)), (*cspan_at(&tables, layout__TABLES_ARM)));
-    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&right_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_HEIGHT)), (*cspan_at(&right_tables, layout__TABLES_ARM)));
+    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&left_tables, layout__TABLES_RADIUS)));
+    locus__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
+    locus__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     return INT64_C(0);
 }
 
@@ -30,12 +32,12 @@ static inline int64_t roll__turn_both(array_double_1d work, double roll)
 }
 
 /* Search both sides; 1 if both wheels are above their rails, else 0. */
-static inline int64_t roll__search_both(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t known)
+static inline int64_t roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t known)
 {
     int64_t left;
     int64_t right;
-    left = smallest_gap__search_side(work, tables, layout__WORK_SIDES, state, known);
-    right = smallest_gap__search_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state, known);
+    left = smallest_gap__search_side(work, left_tables, layout__WORK_SIDES, state, known);
+    right = smallest_gap__search_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state, known);
     return left * right;
 }
 
@@ -83,11 +85,11 @@ static inline int64_t roll__follow_side(array_double_1d work, array_double_1d ta
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables)
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables)
 {
     double rate;
     (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    rate = gap__gap_per_roll(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
+    rate = gap__gap_per_roll(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
     (*move) = 1.0;
     if (rate < 0.0)
     {
@@ -102,7 +104,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  * and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
  * Between nearly conformal profiles a minimum can run away or vanish.
  */
-static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double low, double high)
+static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double low, double high)
 {
     double left;
     double right;
@@ -131,8 +133,8 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* resu
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
         roll__turn_both(work, roll);
-        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
         if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
@@ -155,7 +157,7 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* resu
         move_right -= turn_right * move / rate_right;
         if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < cells__SHARP) && (fabs(move_right) < cells__SHARP))
         {
-            if ((roll__on_profiles(tables, left, rail_left) == INT64_C(0)) || (roll__on_profiles(tables, right, rail_right) == INT64_C(0)))
+            if ((roll__on_profiles(left_tables, left, rail_left) == INT64_C(0)) || (roll__on_profiles(right_tables, right, rail_right) == INT64_C(0)))
             {
                 (*result_0_0001) = roll;
                 (*result_1_0001) = INT64_C(0);
@@ -216,7 +218,7 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double first, double last, int64_t known)
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double first, double last, int64_t known)
 {
     double low;
     double high;
@@ -242,7 +244,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
         before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-        found = roll__search_both(work, tables, state, known);
+        found = roll__search_both(work, left_tables, right_tables, state, known);
         if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
         {
             (*result_0_0001) = roll;
@@ -261,7 +263,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         move = 1.0;
         if (found == INT64_C(1))
         {
-            roll__newton_move(&difference, &move, work, tables);
+            roll__newton_move(&difference, &move, work, left_tables, right_tables);
             if (fabs(move) < roll__ROLL_SHARP)
             {
                 (*result_0_0001) = roll;
@@ -294,7 +296,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         else
         {
-            roll__equalize_minima(&balanced, &known, work, tables, state, roll + move, low, high);
+            roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, state, roll + move, low, high);
             roll += move;
             if (known == INT64_C(1))
             {
@@ -321,7 +323,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, int64_t warm)
 {
     double start;
     int64_t known;
@@ -332,20 +334,20 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
         start = 0.0;
     }
     known = INT64_C(0);
-    roll__place_both(work, tables, start);
+    roll__place_both(work, left_tables, right_tables, start);
     if (warm == INT64_C(1))
     {
-        roll__equalize_minima(&balanced, &known, work, tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+        roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
         if (known == INT64_C(1))
         {
             start = balanced;
         }
     }
-    roll__roll_between(roll, status, work, tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
+    roll__roll_between(roll, status, work, left_tables, right_tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
     if (((*status) != layout__VALID) && (start != 0.0))
     {
         /* far from zero roll a wheel may be beside its rail, and D without a sign */
-        roll__roll_between(roll, status, work, tables, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, INT64_C(0));
+        roll__roll_between(roll, status, work, left_tables, right_tables, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, INT64_C(0));
     }
     return 0;
 }

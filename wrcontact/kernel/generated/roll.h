@@ -31,15 +31,15 @@ static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
 static const double roll__FOLLOW_REACH = 0.002;
 
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll);
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
-static inline int64_t roll__search_both(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t known);
+static inline int64_t roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline int64_t roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state);
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables);
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables);
 static inline int64_t roll__on_profiles(array_double_1d tables, double y, double abscissa);
-static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double low, double high);
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double first, double last, int64_t known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm);
+static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double low, double high);
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double first, double last, int64_t known);
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, int64_t warm);
 
 #endif

@@ -19,10 +19,10 @@
 #include "resultant.h"
 #include "rigid.h"
 
-static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, array_double_1d state, double rigid_roll);
-static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
-static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
-static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
+static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
+static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__step_row(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
+static inline int64_t step__step(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
+static inline int64_t step__step_many(int64_t count, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
 
 #endif

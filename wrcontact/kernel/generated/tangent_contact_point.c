@@ -57,15 +57,15 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track_t;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
     if (index == INT64_C(0))
     {
-        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track_t;
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
+        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)));
     }
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r_t;

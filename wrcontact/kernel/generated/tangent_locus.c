@@ -6,7 +6,7 @@
 #include "tangent_locus.h"
 
 /* Tangent of ``place_wheelset``. */
-static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double arm, double arm_t)
+static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double height, double height_t, double arm, double arm_t)
 {
     (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = lateral_shift_t;
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
@@ -27,9 +27,29 @@ static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, arra
     }
     (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) = radius_t;
     (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = height_t;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
     (*cspan_at(&work_t, place + layout__PLACE_ARM)) = arm_t;
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
     tangent_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``move_rail``. */
+static inline int64_t tangent_locus__move_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral, double lateral_t, double vertical, double vertical_t)
+{
+    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - lateral_t;
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - lateral;
+    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) + vertical_t;
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT)) + vertical;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = lateral_t;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = vertical_t;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
@@ -93,7 +113,7 @@ static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array
 }
 
 /* Tangent of ``mirror_place``. */
-static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored)
+static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored, double radius, double radius_t)
 {
     (*cspan_at(&work_t, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work_t, place + layout__PLACE_SHIFT));
     (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
@@ -101,8 +121,10 @@ static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_
     (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
     (*cspan_at(&work_t, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
     (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
-    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work, place + layout__PLACE_RADIUS));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_RADIUS)) = radius_t;
+    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work_t, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+    (*cspan_at(&work, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT));
     (*cspan_at(&work_t, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work_t, place + layout__PLACE_ARM));
     (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
     (*cspan_at(&work_t, mirrored + layout__PLACE_YAWED)) = 0.0;
@@ -216,8 +238,8 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
     {
         (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v1 = slope * cos_roll + sin_roll;
         v2 = cos_roll - slope * sin_roll;
         v3 = v1 / v2;
@@ -237,8 +259,8 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
         (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v4 * sin_phi_t) + (cos_yaw_t * v6 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v5 * sin_roll_t)));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v4 * sin_phi + cos_yaw * v6;
         v7 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v7 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + v7 * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v7 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        (*z_track) = arm * sin_roll + v7 * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v8 = slope * cos_roll + cos_phi * sin_roll;
         normal_y_t = sin_yaw_t * sin_phi + sin_yaw * sin_phi_t - (cos_yaw_t * v8 + cos_yaw * (slope_t * cos_roll + slope * cos_roll_t + (cos_phi_t * sin_roll + cos_phi * sin_roll_t)));
         normal_y = sin_yaw * sin_phi - cos_yaw * v8;
@@ -324,8 +346,8 @@ static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_tr
     {
         (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         (*stretch_t) = cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t);
         (*stretch) = cos_roll - slope * sin_roll;
         v1 = slope * cos_roll + sin_roll;
@@ -364,8 +386,8 @@ static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_tr
         (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v10 * sin_phi_t) + (cos_yaw_t * v12 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v11 * sin_roll_t)));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v10 * sin_phi + cos_yaw * v12;
         v13 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v13 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + v13 * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v13 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        (*z_track) = arm * sin_roll + v13 * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v14 = r * cos_phi;
         v15 = slope * sin_phi + v14 * phi_rate;
         v16 = r * sin_phi;

@@ -13,6 +13,6 @@
 #include "tangent_resultant.h"
 #include "tangent_side.h"
 
-static inline int64_t tangent_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t);
+static inline int64_t tangent_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t);
 
 #endif

@@ -6,11 +6,11 @@
 #include "tangent_wheelset_rules.h"
 
 /* Tangent of ``place_moving``. */
-static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
     double yaw_t;
     double yaw;
-    tangent_roll__place_both_t(work, work_t, tables, roll, roll_t);
+    tangent_roll__place_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
     yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
     yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
     if ((yaw == 0.0) && (yaw_t != 0.0))
@@ -21,8 +21,13 @@ static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d tab
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
         (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
-        tangent_locus__turn_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, roll, roll_t);
-        tangent_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -(cos(yaw) * yaw_t);
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sin(yaw);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
+        tangent_roll__turn_both_t(work, work_t, roll, roll_t);
     }
     return INT64_C(0);
 }
@@ -56,7 +61,7 @@ static inline int64_t tangent_wheelset_rules__follow_minimum_t(array_double_1d t
 }
 
 /* Tangent of ``follow_roll``. */
-static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     double left;
     double right;
@@ -80,13 +85,13 @@ static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
-    tangent_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), 0.0);
+    tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
-    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
@@ -95,23 +100,24 @@ static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double
 }
 
 /* Tangent of ``follow_position``. */
-static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
+static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
 {
-    int64_t index;
     double v1;
     double v1_t;
-    tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-        tangent_requested__side_force_t(&v1, &v1_t, work, work_t, index);
-        tangent_trial__balance_side_t(tables, work, work_t, state, index, v1, v1_t, height, height_t);
-    }
+    double v2;
+    double v2_t;
+    tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
+    tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
+    tangent_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
+    tangent_trial__balance_side_t(left_tables, work, work_t, state, INT64_C(0), v1, v1_t, height, height_t);
+    tangent_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
+    tangent_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(1));
+    tangent_trial__balance_side_t(right_tables, work, work_t, state, INT64_C(1), v2, v2_t, height, height_t);
     return INT64_C(0);
 }
 
 /* Tangent of ``follow_elastic``. */
-static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     double roll_t;
     double roll;
@@ -132,17 +138,17 @@ static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d t
     height_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
+    tangent_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 0.0, height, 0.0);
     if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
     {
         return INT64_C(1);
     }
     residual_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
     residual_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
-    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
+    tangent_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 0.0, height, 1.0);
     left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left - 1.0;
     right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right - 1.0;
-    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 1.0, height, 0.0);
+    tangent_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 1.0, height, 0.0);
     left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left;
     right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right;
     determinant = left_height * right_roll - right_height * left_roll;
@@ -152,7 +158,7 @@ static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d t
     }
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant;
-    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);
+    tangent_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, roll_rate, height, height_rate);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_rate;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_rate;
@@ -161,65 +167,60 @@ static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d t
 }
 
 /* Tangent of ``follow_compliant``. */
-static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     double roll_t;
     double roll;
     double height_t;
     double height;
-    int64_t index;
     roll_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-        tangent_compliant__load_at_height_t(tables, work, work_t, state, index, height, height_t);
-    }
+    tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
+    tangent_compliant__load_at_height_t(left_tables, work, work_t, state, INT64_C(0), height, height_t);
+    tangent_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
+    tangent_compliant__load_at_height_t(right_tables, work, work_t, state, INT64_C(1), height, height_t);
     return INT64_C(0);
 }
 
 /* Tangent of ``differentiate``. */
-static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     int64_t mode;
     double v1;
     double v1_t;
     double roll_t;
     double roll;
-    int64_t index;
     int64_t n2;
     int64_t outcome;
-    mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
+    mode = (int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE)));
     outcome = INT64_C(0);
     if (mode == layout__MODE_RIGID)
     {
-        tangent_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
+        tangent_wheelset_rules__follow_roll_t(&v1, &v1_t, left_tables, right_tables, work, work_t);
         roll_t = v1_t;
         roll = v1;
-        tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
-        for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-        {
-            tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-        }
-        tangent_rigid__solve_rigid_t(tables, work, work_t, state, roll, roll_t);
+        tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
+        tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
+        tangent_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
+        tangent_rigid__solve_rigid_t(left_tables, right_tables, work, work_t, state, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        n2 = tangent_wheelset_rules__follow_elastic_t(tables, work, work_t, state);
+        n2 = tangent_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t, state);
         outcome = n2;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        tangent_wheelset_rules__follow_compliant_t(tables, work, work_t, state);
+        tangent_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t, state);
     }
-    tangent_resultant__write_resultant_t(work, work_t, tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
-    tangent_requested__omit_outputs_t(tables, work, work_t);
+    tangent_resultant__write_resultant_t(work, work_t, right_tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
+    tangent_requested__omit_outputs_t(right_tables, work, work_t);
     return outcome;
 }

@@ -79,15 +79,15 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
 }
 
 /* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height)
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double left, double right, double height)
 {
     int64_t outcome;
     int64_t status;
     (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-    status = trial__balance_side(tables, work, state, INT64_C(0), left, height);
+    status = trial__balance_side(left_tables, work, state, INT64_C(0), left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = trial__balance_side(tables, work, state, INT64_C(1), right, height);
+        outcome = trial__balance_side(right_tables, work, state, INT64_C(1), right, height);
         if (outcome > status)
         {
             status = outcome;
@@ -99,17 +99,17 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
 /* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are
  * above their rails, else 0.
  */
-static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE int64_t trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t known;
     int64_t result;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, tables, layout__WORK_SIDES, state);
+    known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
     if (known == INT64_C(1))
     {
-        known = roll__follow_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
     }
-    result = roll__search_both(work, tables, state, known);
+    result = roll__search_both(work, left_tables, right_tables, state, known);
     return result;
 }
 
@@ -117,18 +117,18 @@ static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1
  * be followed; 1 if both wheels are above their rails, else 0.  Whether there is a smaller gap is left
  * open.
  */
-static OUT_OF_LINE int64_t trial__turn_near(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE int64_t trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t known;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, tables, layout__WORK_SIDES, state);
+    known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
     if (known == INT64_C(1))
     {
-        known = roll__follow_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
     }
     if (known == INT64_C(0))
     {
-        known = roll__search_both(work, tables, state, INT64_C(0));
+        known = roll__search_both(work, left_tables, right_tables, state, INT64_C(0));
     }
     return known;
 }

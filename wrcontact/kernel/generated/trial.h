@@ -22,9 +22,9 @@ static const double trial__DEEPEST = 0.002;
 static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height);
 static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
-static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE int64_t trial__turn_near(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double left, double right, double height);
+static OUT_OF_LINE int64_t trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
 
 #endif

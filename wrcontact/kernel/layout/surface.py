@@ -75,9 +75,9 @@ class CubicTable:
 
 @record
 class Place:
-    """Where a right wheel is placed on the track, as :mod:`locus` reads it."""
+    """Where a right wheel is placed over its rail, as :mod:`locus` reads it."""
 
-    shift: float                    # lateral shift of the wheelset [m]
+    shift: float                    # lateral shift of the wheelset against the rail's nominal place [m]
     sin_yaw: float
     cos_yaw: float
     sin_roll: float
@@ -86,8 +86,11 @@ class Place:
     w_per_slope: float              # w over the profile's slope [-]
     cos_t: float                    # 1 / sqrt(1 + t^2)
     radius: float                   # nominal radius of the wheel [m]
+    height: float                   # the wheelset's centre at vertical shift zero above the rail [m]
     arm: float                      # half the distance of the running circles [m]
     yawed: bool
+    rail_lateral: float             # displacement of its rail, to the field side [m]
+    rail_vertical: float            # and down
 
 
 PLACE_SIZE: Final[int] = size(Place)

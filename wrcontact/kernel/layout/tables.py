@@ -1,6 +1,9 @@
 """The arrays ``setup``, from which the tables are prepared, and ``tables``: what is
 fixed during a simulation.
 
+Each side has its tables. Where both sides are equal they are one array. Settings of the whole wheelset are
+read from those of the right side, as are the starts.
+
 Settings are at the head of the tables, then come the tables that they point to.
 """
 
@@ -16,6 +19,7 @@ class Setup:
     array = "setup"
     parameters: Parameters
     resolution: Resolution
+    height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
     absent: float                   # not a number
 
 
@@ -23,6 +27,7 @@ class Setup:
 class Tables:
     array = "tables"
     radius: float                   # nominal radius [m]
+    height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
     arm: float                      # half the distance of the running circles [m]
     rail_y: float                   # track coordinate of the right rail's highest point [m]
     contact_modulus: float          # E* [Pa]

@@ -12,7 +12,7 @@
 #include "../generated/prepare_unit.c"
 
 /* Where the wheelset stands without load at the shifts of the table of starts, from the kernel itself. */
-static void fill_starts(array_double_1d tables, double *work)
+static void fill_starts(array_double_1d left, array_double_1d right, double *work)
 {
     const int64_t sizes[] = {layout__STATE_SIZE, layout__WORK_SIZE, layout__INPUTS_SIZE, layout__OUTPUTS_SIZE};
     array_double_1d parts[4];
@@ -22,13 +22,13 @@ static void fill_starts(array_double_1d tables, double *work)
         memset(work, 0, (size_t)sizes[i] * sizeof *work);
         work += sizes[i];
     }
-    const wrcontact_handle handle = {tables, parts[0], parts[1], parts[2], parts[3]};
+    const wrcontact_handle handle = {left, right, parts[0], parts[1], parts[2], parts[3]};
     for (int64_t row = 0; row < layout__START_COUNT; row += 1)
     {
-        parts[2].data[layout__INPUTS_LATERAL_SHIFT] = prepare_tables__start_shift(tables, row);
-        prepare_tables__note_start(parts[1], tables, row, wrcontact_step(&handle));
+        parts[2].data[layout__INPUTS_LATERAL_SHIFT] = prepare_tables__start_shift(right, row);
+        prepare_tables__note_start(parts[1], right, row, wrcontact_step(&handle));
     }
-    prepare_tables__open_starts(tables);
+    prepare_tables__open_starts(right, left.data == right.data);
 }
 
 int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation)
@@ -41,13 +41,12 @@ int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation)
 
 int wrcontact_prepare(const wrcontact_preparation *p)
 {
-    const int outcome = (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->hertz, p->influence, p->tables, p->work,
-                                                     p->report);
-    if (outcome == prepare_tables__PREPARED)
-    {
-        const int64_t size = (int64_t)p->report.data[prepare_tables__REPORT_SIZE];
-        fill_starts(span_of(p->tables.data, size), p->work.data);
-        prepare_tables__write_methods(p->setup, p->tables);
-    }
-    return outcome;
+    return (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->hertz, p->influence, p->tables, p->work, p->report);
+}
+
+void wrcontact_complete(array_double_1d setup, array_double_1d left, array_double_1d right, double *work)
+{
+    fill_starts(left, right, work);
+    prepare_tables__write_methods(setup, left);
+    prepare_tables__write_methods(setup, right);
 }

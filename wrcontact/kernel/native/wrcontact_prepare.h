@@ -22,7 +22,11 @@ typedef struct {
 /* How long the work array has to be for these definitions and this length of the tables. */
 WRCONTACT_EXPORT int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation);
 
-/* Fill the tables; the outcome.  Where they are too short it says so, and a longer array is the remedy. */
+/* Fill the tables of one side; the outcome.  Where they are too short it says so, and a longer array is the remedy. */
 WRCONTACT_EXPORT int wrcontact_prepare(const wrcontact_preparation *preparation);
+
+/* Complete the tables of both sides, which are one array where the sides are equal: starts and methods.  `work` is the work
+ * array of either preparation. */
+WRCONTACT_EXPORT void wrcontact_complete(array_double_1d setup, array_double_1d left, array_double_1d right, double *work);
 
 #endif

@@ -1,9 +1,10 @@
 """The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
 and the native FMU do at the start, outside the hot unit.
 
-The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
-the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
-methods (``write_methods``).
+The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
+other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
+of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
+(``write_methods``).
 """
 
 from math import atan
@@ -82,6 +83,7 @@ def place_zones(setup: Setup, work: 'float[:]', wheel: int, rail: int, tables: T
 def write_settings(setup: Setup, tables: Tables):
     """The settings that are known from the beginning, with each method's first choice."""
     tables.radius = setup.parameters.nominal_radius
+    tables.height = setup.height
     tables.arm = 0.5 * setup.parameters.running_circle_distance
     nu = setup.parameters.poisson_ratio
     tables.contact_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 - nu * nu))
@@ -204,12 +206,20 @@ def note_start(tables: Tables, outputs: Outputs, row: int, status: int):
     return 0
 
 
-def open_starts(tables: Tables):
+def open_starts(tables: Tables, equal: int):
     """Let the search use the table of starts, once its last row is known.
 
-    Rows of opposite shifts are made mirror images of each other to the last bit: a wheelset and its mirror
-    image start alike.
+    Where both sides are equal, ``equal`` = 1, rows of opposite shifts are made mirror images of each other to
+    the last bit: a wheelset and its mirror image start alike.
     """
+    if equal == 1:
+        mirror_starts(tables)
+    tables.starts.count = float(START_COUNT)
+    return 0
+
+
+def mirror_starts(tables: Tables):
+    """Rows of negative shifts from those of positive ones."""
     rows = tables.starts.rows
     for row in range(START_COUNT // 2):
         rows[row].roll = -rows[START_COUNT - 1 - row].roll
@@ -217,5 +227,4 @@ def open_starts(tables: Tables):
         rows[row].right = rows[START_COUNT - 1 - row].left
     rows[START_COUNT // 2].roll = 0.0
     rows[START_COUNT // 2].left = rows[START_COUNT // 2].right
-    tables.starts.count = float(START_COUNT)
     return 0

@@ -25,7 +25,6 @@ from ..layout import (
     Place,
     RollTrial,
     RollTrials,
-    SideSearch,
     Sides,
     State,
     Tables,
@@ -46,34 +45,34 @@ YAWED_SHARE: Final[float] = 1.2
 FASTER: Final[float] = 1.5
 
 
-def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float,
-               warm: int):
+def solve_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
+               state: State, guess: float, warm: int):
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
     no roll does not decide that.
     """
-    roll, status = certified_roll(tables, inputs, sides, trials, state, guess, warm)
+    roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, guess, warm)
     if status != VALID and (guess != 0.0 or warm == 1):
-        roll, status = certified_roll(tables, inputs, sides, trials, state, 0.0, 0)
+        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, 0.0, 0)
     return roll, status
 
 
-def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State,
-                   guess: float, warm: int):
+def certified_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides,
+                   trials: RollTrials, state: State, guess: float, warm: int):
     """``solve_roll`` from this start alone."""
-    roll, status = any_roll(tables, inputs, sides, state, guess, warm)
-    if status == VALID and falls_at_zero_roll(tables, sides, roll) == 0:
-        if is_certainly_first(tables, sides, state, roll) == 0:
-            roll, status = first_root(tables, sides, trials, state, roll)
+    roll, status = any_roll(left_tables, right_tables, inputs, sides, state, guess, warm)
+    if status == VALID and falls_at_zero_roll(left_tables, right_tables, sides, roll) == 0:
+        if is_certainly_first(left_tables, right_tables, sides, state, roll) == 0:
+            roll, status = first_root(left_tables, right_tables, sides, trials, state, roll)
     return roll, status
 
 
-def falls_at_zero_roll(tables: Tables, sides: Sides, roll: float):
+def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float):
     """1 if D falls through its known root at ``roll``, and that is zero roll, else 0."""
     falls = 0
     if fabs(roll) < APART:
-        difference, move = newton_move(tables, sides)
+        difference, move = newton_move(left_tables, right_tables, sides)
         if fabs(move) < 0.5:
             falls = 1
     return falls
@@ -120,7 +119,7 @@ def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: f
     return beside
 
 
-def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
+def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float):
     """1 if D falls all the way from zero roll to its root at ``roll``, as far as the
     steepest places tell, else 0.
 
@@ -129,14 +128,24 @@ def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
     roll, for which that one is searched.
     """
     sine = sides[1].place.sin_yaw
-    higher = sides[0]
-    lower = sides[1]
+    certain = 0
     if roll < 0.0:
-        higher = sides[1]
-        lower = sides[0]
-    known = largest_lever_beyond(tables, higher.best_y, roll, sine)
-    if is_beside_rail(tables, lower.place, known, roll, sine) == 1:
-        return 1
+        known = largest_lever_beyond(right_tables, sides[1].best_y, roll, sine)
+        certain = is_beside_rail(left_tables, sides[0].place, known, roll, sine)
+        if certain == 0:
+            certain = falls_from_zero_roll(left_tables, sides, 0, state, known, roll)
+    else:
+        known = largest_lever_beyond(left_tables, sides[0].best_y, roll, sine)
+        certain = is_beside_rail(right_tables, sides[1].place, known, roll, sine)
+        if certain == 0:
+            certain = falls_from_zero_roll(right_tables, sides, 1, state, known, roll)
+    return certain
+
+
+def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State, known: float, roll: float):
+    """1 if D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
+    ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m]."""
+    lower = sides[index]
     gap = lower.best
     y = lower.best_y
     abscissa = lower.best_rail
@@ -144,7 +153,7 @@ def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
     turn_both(sides, 0.0)
     followed = follow_side(tables, lower, state)
     if search_side(tables, lower, state, followed) == 1:
-        if known + largest_lever_beyond(tables, lower.best_y, roll, sine) < 0.0:
+        if known + largest_lever_beyond(tables, lower.best_y, roll, sides[1].place.sin_yaw) < 0.0:
             certain = 1
     turn_both(sides, roll)
     lower.best = gap
@@ -224,17 +233,18 @@ def copy_trial(trial: RollTrial, to: RollTrial):
     return 0
 
 
-def has_no_root(tables: Tables, sides: Sides, state: State, near: RollTrial, far: RollTrial, sign: float):
+def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, near: RollTrial,
+                far: RollTrial, sign: float):
     """1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign``
     or, at ``far``, is zero; else 0."""
     width = fabs(far.roll - near.roll)
     turn_both(sides, 0.5 * (far.roll + near.roll))
-    left_least, left_most = lever_range(tables, state, sides[0].place, near.left, far.left)
-    right_least, right_most = lever_range(tables, state, sides[1].place, near.right, far.right)
-    arm = tables.arm
-    radius = tables.radius
+    left_least, left_most = lever_range(left_tables, state, sides[0].place, near.left, far.left)
+    right_least, right_most = lever_range(right_tables, state, sides[1].place, near.right, far.right)
+    arm = right_tables.arm
+    radius = max(left_tables.radius, right_tables.radius)
     steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most)))
-             + arm) / radius
+             + arm) / min(left_tables.radius, right_tables.radius)
     margin = width * lever_per_roll(steep, radius, arm)
     least = left_least + right_least - margin
     most = left_most + right_most + margin
@@ -250,12 +260,13 @@ def has_no_root(tables: Tables, sides: Sides, state: State, near: RollTrial, far
     return clear
 
 
-def first_root(tables: Tables, sides: Sides, trials: RollTrials, state: State, roll: float):
+def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: RollTrials, state: State,
+               roll: float):
     """The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``."""
     near = trials.near
     note_root(trials.far[0], sides, roll)
     turn_both(sides, 0.0)
-    if search_both(tables, sides, state, 0) == 0:
+    if search_both(left_tables, right_tables, sides, state, 0) == 0:
         return 0.0, OFF_PROFILE
     note_trial(near, sides, 0.0)
     if near.difference == 0.0:
@@ -269,20 +280,21 @@ def first_root(tables: Tables, sides: Sides, trials: RollTrials, state: State, r
         last = 0.0
     status = VALID
     if sign * roll < 0.0:
-        roll, status = roll_between(tables, sides, state, 0.5 * (first + last), first, last, 0)
+        roll, status = roll_between(left_tables, right_tables, sides, state, 0.5 * (first + last), first,
+                                    last, 0)
         note_root(trials.far[0], sides, roll)
     end = 0
     trial = 0
     while end >= 0 and status == VALID:
         far = trials.far[end]
         width = fabs(far.roll - near.roll)
-        if width < APART or has_no_root(tables, sides, state, near, far, sign) == 1:
+        if width < APART or has_no_root(left_tables, right_tables, sides, state, near, far, sign) == 1:
             copy_trial(far, near)
             end -= 1
         else:
             middle = 0.5 * (far.roll + near.roll)
             turn_both(sides, middle)
-            if search_both(tables, sides, state, 0) == 0:
+            if search_both(left_tables, right_tables, sides, state, 0) == 0:
                 status = OFF_PROFILE
             elif sign * (sides[1].best - sides[0].best) > 0.0:
                 end += 1
@@ -290,18 +302,19 @@ def first_root(tables: Tables, sides: Sides, trials: RollTrials, state: State, r
             else:
                 # a root before: it is the known one now
                 end = 0
-                roll, status = root_before(tables, sides, state, near.roll, middle, sign)
+                roll, status = root_before(left_tables, right_tables, sides, state, near.roll, middle, sign)
                 note_root(trials.far[0], sides, roll)
         trial += 1
         if trial == TRIALS or end >= TRIAL_LIMIT - 2:
             status = NOT_CONVERGED
     if status == VALID:
         turn_both(sides, roll)
-        search_both(tables, sides, state, 0)
+        search_both(left_tables, right_tables, sides, state, 0)
     return roll, status
 
 
-def root_before(tables: Tables, sides: Sides, state: State, near: float, middle: float, sign: float):
+def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, near: float,
+                middle: float, sign: float):
     """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
     it has not; and the outcome."""
     first = near
@@ -309,4 +322,4 @@ def root_before(tables: Tables, sides: Sides, state: State, near: float, middle:
     if sign < 0.0:
         first = middle - APART
         last = near
-    return roll_between(tables, sides, state, middle, first, last, 0)
+    return roll_between(left_tables, right_tables, sides, state, middle, first, last, 0)

@@ -14,7 +14,7 @@ from typing import Final
 
 from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, SideSearch, Sides, State, Tables
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
-from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from ..surface.locus import mirror_place, mirror_roll, move_rail, place_wheelset, turn_wheelset
 from .cells import SHARP
 from .raster import rail_below
 from .smallest_gap import search_side
@@ -35,10 +35,13 @@ FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3
 
 
-def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
+def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, tables.radius, tables.arm)
-    mirror_place(sides[1].place, sides[0].place)
+    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, right_tables.radius,
+                   right_tables.height, right_tables.arm)
+    mirror_place(sides[1].place, sides[0].place, left_tables.radius)
+    move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
+    move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
     return 0
 
 
@@ -49,10 +52,10 @@ def turn_both(sides: Sides, roll: float):
     return 0
 
 
-def search_both(tables: Tables, sides: Sides, state: State, known: int):
+def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, known: int):
     """Search both sides; 1 if both wheels are above their rails, else 0."""
-    left = search_side(tables, sides[0], state, known)
-    right = search_side(tables, sides[1], state, known)
+    left = search_side(left_tables, sides[0], state, known)
+    right = search_side(right_tables, sides[1], state, known)
     return left * right
 
 
@@ -79,18 +82,19 @@ def follow_side(tables: Tables, side: SideSearch, state: State):
     return 0
 
 
-def newton_move(tables: Tables, sides: Sides):
+def newton_move(left_tables: Tables, right_tables: Tables, sides: Sides):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
     difference = sides[1].best - sides[0].best
-    rate = (gap_per_roll(tables, sides[1].place, sides[1].best_y)
-            + gap_per_roll(tables, sides[0].place, sides[0].best_y))
+    rate = (gap_per_roll(right_tables, sides[1].place, sides[1].best_y)
+            + gap_per_roll(left_tables, sides[0].place, sides[0].best_y))
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
     return difference, move
 
 
-def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low: float, high: float):
+def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
+                    low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
@@ -104,9 +108,9 @@ def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low
         state.gap_count += 2.0
         turn_both(sides, roll)
         gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(
-            tables, sides[0].place, left)
+            left_tables, sides[0].place, left)
         gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(
-            tables, sides[1].place, right)
+            right_tables, sides[1].place, right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
         move_left = -mismatch_left / rate_left
@@ -120,7 +124,8 @@ def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low
         move_left += turn_left * move / rate_left
         move_right -= turn_right * move / rate_right
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
-            if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
+            if (on_profiles(left_tables, left, rail_left) == 0
+                or on_profiles(right_tables, right, rail_right) == 0):
                 return roll, 0
             keep_known(sides[0], left, gap_left, rail_left)
             keep_known(sides[1], right, gap_right, rail_right)
@@ -153,8 +158,8 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     return 0
 
 
-def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first: float, last: float,
-                 known: int):
+def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
+                 first: float, last: float, known: int):
     """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
@@ -169,7 +174,7 @@ def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first:
             turn_both(sides, roll)
         before_left = sides[0].best_y
         before_right = sides[1].best_y
-        found = search_both(tables, sides, state, known)
+        found = search_both(left_tables, right_tables, sides, state, known)
         if known == 1 and before_left == sides[0].best_y and before_right == sides[1].best_y:
             return roll, VALID
         known = 0
@@ -179,7 +184,7 @@ def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first:
             return roll, OFF_PROFILE
         move = 1.0
         if found == 1:
-            difference, move = newton_move(tables, sides)
+            difference, move = newton_move(left_tables, right_tables, sides)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
         if difference > 0.0:
@@ -196,7 +201,7 @@ def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first:
         elif fabs(move) > LONGEST_TURN:
             roll += move
         else:
-            balanced, known = equalize_minima(tables, sides, state, roll + move, low, high)
+            balanced, known = equalize_minima(left_tables, right_tables, sides, state, roll + move, low, high)
             roll += move
             if known == 1:
                 roll = balanced
@@ -209,7 +214,8 @@ def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first:
     return roll, status
 
 
-def any_roll(tables: Tables, inputs: Inputs, sides: Sides, state: State, guess: float, warm: int):
+def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, state: State,
+             guess: float, warm: int):
     """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
@@ -218,13 +224,15 @@ def any_roll(tables: Tables, inputs: Inputs, sides: Sides, state: State, guess: 
     if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
         start = 0.0
     known = 0
-    place_both(tables, inputs, sides, start)
+    place_both(left_tables, right_tables, inputs, sides, start)
     if warm == 1:
-        balanced, known = equalize_minima(tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT)
+        balanced, known = equalize_minima(left_tables, right_tables, sides, state, start, -ROLL_LIMIT,
+                                          ROLL_LIMIT)
         if known == 1:
             start = balanced
-    roll, status = roll_between(tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT, known)
+    roll, status = roll_between(left_tables, right_tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT,
+                                known)
     if status != VALID and start != 0.0:
         # far from zero roll a wheel may be beside its rail, and D without a sign
-        roll, status = roll_between(tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
+        roll, status = roll_between(left_tables, right_tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
     return roll, status

@@ -74,7 +74,7 @@ def gap_jet(tables: Tables, place: Place, y: float):
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED
-    lateral = -place.cos_yaw * (z_track + place.radius)
+    lateral = -place.cos_yaw * (z_track + place.height)
     vertical = y_track - place.shift
     if place.yawed:
         sin_phi, cos_phi = around_wheel(place, slope)

@@ -15,9 +15,10 @@ from ..layout import Place, Tables
 from .profile_table import height_slope
 
 
-def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
-    """Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles
-    [m]."""
+def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, height: float,
+                   arm: float):
+    """Write the pose of a right wheel of this nominal ``radius`` to ``place``; the wheelset's centre has the
+    ``height`` over the running circles, and ``arm`` is half their distance [m]."""
     place.shift = lateral_shift
     place.sin_yaw = 0.0
     place.cos_yaw = 1.0
@@ -27,8 +28,21 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
         place.cos_yaw = cos(yaw)
         place.yawed = True
     place.radius = radius
+    place.height = height
     place.arm = arm
+    place.rail_lateral = 0.0
+    place.rail_vertical = 0.0
     turn_wheelset(place, roll)
+    return 0
+
+
+def move_rail(place: Place, lateral: float, vertical: float):
+    """Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
+    [m]: seen from the rail the wheelset moves the other way."""
+    place.shift -= lateral
+    place.height += vertical
+    place.rail_lateral = lateral
+    place.rail_vertical = vertical
     return 0
 
 
@@ -52,13 +66,14 @@ def turn_wheelset(place: Place, roll: float):
     return 0
 
 
-def mirror_place(place: Place, mirrored: Place):
-    """The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll
-    change sign."""
+def mirror_place(place: Place, mirrored: Place, radius: float):
+    """The left wheel of the wheelset at ``place``, with its nominal ``radius`` [m], as a right wheel at
+    ``mirrored``: shift, yaw and roll change sign."""
     mirrored.shift = -place.shift
     mirrored.sin_yaw = -place.sin_yaw
     mirrored.cos_yaw = place.cos_yaw
-    mirrored.radius = place.radius
+    mirrored.radius = radius
+    mirrored.height = place.height
     mirrored.arm = place.arm
     mirrored.yawed = place.yawed
     mirror_roll(place, mirrored)
@@ -96,7 +111,8 @@ def outline_point(place: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
     point (y, z).
 
-    The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
+    They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
+    is at minus ``place.height``.
     """
     sin_roll = place.sin_roll
     cos_roll = place.cos_roll
@@ -104,7 +120,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
     r = place.radius + z
     if not place.yawed:
         y_track = place.shift + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - place.radius
+        z_track = arm * sin_roll + r * cos_roll - place.height
         outline_slope = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll)
     else:
         sin_yaw = place.sin_yaw
@@ -112,7 +128,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
         sin_phi, cos_phi = around_wheel(place, slope)
         y_track = (place.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.radius
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.height
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
         outline_slope = -normal_y / normal_z
@@ -128,7 +144,7 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     r = place.radius + z
     if not place.yawed:
         y_track = place.shift + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - place.radius
+        z_track = arm * sin_roll + r * cos_roll - place.height
         stretch = cos_roll - slope * sin_roll
         outline_slope = (slope * cos_roll + sin_roll) / stretch
         slope_rate = bend / (stretch * stretch)
@@ -142,7 +158,7 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
             phi_rate = -place.w_per_slope * bend / sqrt(1.0 - w * w)
         y_track = (place.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.radius
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.height
         stretch = (sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate)
                    + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)

@@ -159,37 +159,44 @@ def flatter_side(outputs: Outputs):
     return flat
 
 
-def roll_residual(tables: Tables, work: Work, state: State, roll: float, left: float, right: float,
-                  flat: int):
+def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
+                  left: float, right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
     how much lower the right one carries its load than the left one [m], 1 if both can carry
     their loads, else 0, and the outcome."""
-    if turn_to(tables, work, state, roll) == 0:
+    if turn_to(left_tables, right_tables, work, state, roll) == 0:
         return 0.0, 0, OFF_PROFILE
     state.roll_count += 1.0
-    flat_force = left
-    steep_force = right
     if flat == 1:
-        flat_force = right
-        steep_force = left
-    status = bracket_height(tables, work, state, flat, flat_force)
-    if status > UNLOADED:
-        return 0.0, 0, status
-    height = work.supports[flat].height
-    residual, satisfied, outcome = height_residual(tables, work, state, 1 - flat, steep_force, height)
-    work.supports[1 - flat].height = height
-    if outcome > status:
-        status = outcome
-    if flat == 1:
+        residual, satisfied, status = level_residual(right_tables, left_tables, work, state, 1, right, left)
         residual = -residual
+    else:
+        residual, satisfied, status = level_residual(left_tables, right_tables, work, state, 0, left, right)
     return residual, satisfied, status
 
 
-def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
+def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, state: State, flat: int,
+                   flat_force: float, steep_force: float):
+    """Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
+    other one carries ``steep_force`` [N] [m], 1 if both can carry their loads, else 0, and the outcome."""
+    status = bracket_height(flat_tables, work, state, flat, flat_force)
+    if status > UNLOADED:
+        return 0.0, 0, status
+    height = work.supports[flat].height
+    residual, satisfied, outcome = height_residual(steep_tables, work, state, 1 - flat, steep_force, height)
+    work.supports[1 - flat].height = height
+    if outcome > status:
+        status = outcome
+    return residual, satisfied, status
+
+
+def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
+                 left: float, right: float, flat: int):
     """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
     NOT_CONVERGED if there is none within ROLL_LIMIT."""
     bracket = work.roll_bracket
-    residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+    residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
+                                                flat)
     if status > UNLOADED:
         return status
     bracket.low = roll
@@ -204,13 +211,15 @@ def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: fl
             bracket.low = bracket.high
             bracket.at_low = bracket.at_high
             bracket.high = roll + reach
-            value, satisfied, status = roll_residual(tables, work, state, bracket.high, left, right, flat)
+            value, satisfied, status = roll_residual(left_tables, right_tables, work, state, bracket.high,
+                                                     left, right, flat)
             bracket.at_high = value
         else:
             bracket.high = bracket.low
             bracket.at_high = bracket.at_low
             bracket.low = roll - reach
-            value, satisfied, status = roll_residual(tables, work, state, bracket.low, left, right, flat)
+            value, satisfied, status = roll_residual(left_tables, right_tables, work, state, bracket.low,
+                                                     left, right, flat)
             bracket.at_low = value
         if status > UNLOADED:
             return status
@@ -218,19 +227,21 @@ def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: fl
     return status
 
 
-def bracket_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
+def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
+                 left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
     from the rigid ``roll``."""
     bracket = work.roll_bracket
     flat = flatter_side(work.outputs)
-    status = enclose_roll(tables, work, state, roll, left, right, flat)
+    status = enclose_roll(left_tables, right_tables, work, state, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     residual = 0.0
     satisfied = 0
     for i in range(BRACKETINGS):
         roll = next_in_bracket(bracket, i)
-        residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+        residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
+                                                    flat)
         if status > UNLOADED:
             return roll, status
         narrow_bracket(bracket, roll, residual)
@@ -243,14 +254,16 @@ def bracket_roll(tables: Tables, work: Work, state: State, roll: float, left: fl
             end = bracket.low
         if roll != end:
             roll = end
-            residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+            residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left,
+                                                        right, flat)
     if satisfied == 0:
         # or the one whose nodes can carry the force
         other = bracket.low
         if roll == bracket.low:
             other = bracket.high
         roll = other
-        residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+        residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
+                                                    flat)
     if status <= UNLOADED:
         if satisfied == 0:
             status = NOT_CONVERGED

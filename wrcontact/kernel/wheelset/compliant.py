@@ -14,34 +14,34 @@ from .trial import DEEPEST
 GRAZING: Final[float] = 1e-13
 
 
-def solve_compliant(tables: Tables, work: Work, state: State):
+def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
-    place_both(tables, work.inputs, work.sides, roll)
+    place_both(left_tables, right_tables, work.inputs, work.sides, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
-    status = VALID
-    if search_both(tables, work.sides, state, follow_starts(tables, work, state)) == 0:
+    if search_both(left_tables, right_tables, work.sides, state,
+                   follow_starts(left_tables, right_tables, work, state)) == 0:
         return OFF_PROFILE
-    for index in range(2):
-        outcome = load_at_height(tables, work, state, index, height)
-        if outcome > status:
-            status = outcome
+    status = load_at_height(left_tables, work, state, 0, height)
+    outcome = load_at_height(right_tables, work, state, 1, height)
+    if outcome > status:
+        status = outcome
     return status
 
 
-def follow_starts(tables: Tables, work: Work, state: State):
+def follow_starts(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """1 if both smallest gaps could be followed from where they are known near the lateral shift, else 0."""
-    row = nearest_start(tables.starts, work.inputs.lateral_shift)
+    row = nearest_start(right_tables.starts, work.inputs.lateral_shift)
     known = 0
     if row >= 0:
-        start = tables.starts.rows[row]
+        start = right_tables.starts.rows[row]
         work.sides[0].best_y = start.left
         work.sides[1].best_y = start.right
-        known = follow_side(tables, work.sides[0], state)
+        known = follow_side(left_tables, work.sides[0], state)
         if known == 1:
-            known = follow_side(tables, work.sides[1], state)
+            known = follow_side(right_tables, work.sides[1], state)
     return known
 
 

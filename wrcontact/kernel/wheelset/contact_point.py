@@ -40,10 +40,10 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     out.y_rail = frame.rail.y
     out.z_rail = frame.rail.z
     out.x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
-    out.y_track = y_track
+    out.y_track = y_track + place.rail_lateral
     if index == 0:
-        out.y_track = -y_track
-    out.z_track = frame.rail.z
+        out.y_track = -(y_track + place.rail_lateral)
+    out.z_track = frame.rail.z + place.rail_vertical
     out.contact_angle = -atan(rail_slope)
     out.rolling_radius = r
     measure_contact(tables, frame, state)

@@ -11,6 +11,7 @@ from ..layout import (
     MODE_COMPLIANT,
     MODE_RIGID,
     OFF_PROFILE,
+    RAIL_LIMIT,
     ROLL_LIMIT,
     SIDE_PENETRATION,
     SIDE_SIZE,
@@ -33,12 +34,24 @@ def check_inputs(tables: Tables, inputs: Inputs):
         status = OFF_PROFILE
     if tables.mode == MODE_COMPLIANT and fabs(inputs.roll) > ROLL_LIMIT:
         status = OFF_PROFILE
+    if is_rail_far(inputs) == 1:
+        status = OFF_PROFILE
     if inputs.normal_force < 0.0 or fabs(inputs.load_transfer) > 1.0:
         status = INVALID_INPUT
     for i in range(INPUT_COUNT):
         if not isfinite(inputs[i]):
             status = INVALID_INPUT
     return status
+
+
+def is_rail_far(inputs: Inputs):
+    """1 if a rail is displaced further than RAIL_LIMIT, else 0."""
+    far = 0
+    if fabs(inputs.left_rail_lateral) > RAIL_LIMIT or fabs(inputs.right_rail_lateral) > RAIL_LIMIT:
+        far = 1
+    if fabs(inputs.left_rail_vertical) > RAIL_LIMIT or fabs(inputs.right_rail_vertical) > RAIL_LIMIT:
+        far = 1
+    return far
 
 
 def side_force(inputs: Inputs, index: int):

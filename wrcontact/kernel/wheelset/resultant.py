@@ -90,8 +90,8 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
         normal_cos = block.cos
         normal_sin = block.sin
     x = block.x_track + block.slant * away
-    y = mirror * (tables.rail_y + abscissa)
-    z = height
+    y = mirror * (tables.rail_y + abscissa + frame.place.rail_lateral)
+    z = height + frame.place.rail_vertical
     force_y = mirror * normal_sin * load
     force_z = -normal_cos * load
     resultant[1] += force_y
@@ -136,7 +136,7 @@ def write_resultant(tables: Tables, inputs: Inputs, outputs: Outputs, left: Resu
         outputs.left[1].force[i] = right[i]
         outputs.left[1].moment[i] = right[3 + i]
     y = inputs.lateral_shift
-    z = outputs.vertical_shift - tables.radius
+    z = outputs.vertical_shift - tables.height
     outputs.moment[0] -= y * outputs.force[2] - z * outputs.force[1]
     for index in range(2):
         side = outputs.left[index]

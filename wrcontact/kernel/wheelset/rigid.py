@@ -14,40 +14,41 @@ from .side import solve_side
 NEAR_SHIFT: Final[float] = 2e-4
 
 
-def find_roll(tables: Tables, work: Work, state: State):
+def find_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
     moved little, or at those known near its lateral shift."""
     shift = work.inputs.lateral_shift
     guess = work.inputs.roll_guess
     warm = 0
     if guess == 0.0:
-        row = nearest_start(tables.starts, shift)
+        row = nearest_start(right_tables.starts, shift)
         if state.warm and (row < 0 or fabs(shift - state.shift) < NEAR_SHIFT):
             guess = state.roll
             work.sides[0].best_y = state.y_left
             work.sides[1].best_y = state.y_right
             warm = 1
         elif row >= 0:
-            start = tables.starts.rows[row]
+            start = right_tables.starts.rows[row]
             guess = start.roll
             work.sides[0].best_y = start.left
             work.sides[1].best_y = start.right
             warm = 1
-    return solve_roll(tables, work.inputs, work.sides, work.trials, state, guess, warm)
+    return solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state, guess, warm)
 
 
-def solve_rigid(tables: Tables, work: Work, state: State, roll: float):
+def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
     """Both wheels touch at ``roll``, and each carries its load there; the outcome."""
     status = VALID
     work.outputs.roll = roll
     work.outputs.vertical_shift = work.sides[1].best
     for index in range(2):
         clear_resultant(work.supports[index].resultant)
-    for index in range(2):
-        if is_requested(tables, index) == 1:
-            outcome = solve_side(tables, work, state, index, side_force(work.inputs, index))
-            if outcome > status:
-                status = outcome
+    if is_requested(right_tables, 0) == 1:
+        status = solve_side(left_tables, work, state, 0, side_force(work.inputs, 0))
+    if is_requested(right_tables, 1) == 1:
+        outcome = solve_side(right_tables, work, state, 1, side_force(work.inputs, 1))
+        if outcome > status:
+            status = outcome
     return status
 
 

@@ -62,37 +62,38 @@ def balance_side(tables: Tables, work: Work, state: State, index: int, force: fl
     return status
 
 
-def balance_both(tables: Tables, work: Work, state: State, left: float, right: float, height: float):
+def balance_both(left_tables: Tables, right_tables: Tables, work: Work, state: State, left: float,
+                 right: float, height: float):
     """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
     state.roll_count += 1.0
-    status = balance_side(tables, work, state, 0, left, height)
+    status = balance_side(left_tables, work, state, 0, left, height)
     if status <= UNLOADED:
-        outcome = balance_side(tables, work, state, 1, right, height)
+        outcome = balance_side(right_tables, work, state, 1, right, height)
         if outcome > status:
             status = outcome
     return status
 
 
-def turn_to(tables: Tables, work: Work, state: State, roll: float):
+def turn_to(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
     """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are
     above their rails, else 0."""
     turn_both(work.sides, roll)
-    known = follow_side(tables, work.sides[0], state)
+    known = follow_side(left_tables, work.sides[0], state)
     if known == 1:
-        known = follow_side(tables, work.sides[1], state)
-    return search_both(tables, work.sides, state, known)
+        known = follow_side(right_tables, work.sides[1], state)
+    return search_both(left_tables, right_tables, work.sides, state, known)
 
 
-def turn_near(tables: Tables, work: Work, state: State, roll: float):
+def turn_near(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
     """Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
     be followed; 1 if both wheels are above their rails, else 0.  Whether there is a smaller gap is left
     open."""
     turn_both(work.sides, roll)
-    known = follow_side(tables, work.sides[0], state)
+    known = follow_side(left_tables, work.sides[0], state)
     if known == 1:
-        known = follow_side(tables, work.sides[1], state)
+        known = follow_side(right_tables, work.sides[1], state)
     if known == 0:
-        known = search_both(tables, work.sides, state, 0)
+        known = search_both(left_tables, right_tables, work.sides, state, 0)
     return known
 
 

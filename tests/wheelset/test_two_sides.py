@@ -1,0 +1,240 @@
+"""A wheelset whose left side differs from its right one: profiles, nominal radius, inclination of the rail."""
+
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.mirror import side_signs
+from tests.reference import brute_force
+from wrcontact.interface.variables import VARIABLES
+from wrcontact.kernel import layout
+from wrcontact.status import Status
+
+#: Left and right side.
+SIDES = {
+    "profiles": dict(wheel=("cone40", "S1002"), rail=("54E1", "UIC60")),
+    "radii": dict(nominal_radius=(0.459, 0.46)),
+    "inclinations": dict(rail_inclination=(1 / 20, 1 / 40)),
+    "all": dict(wheel=("S1002", "cone20"), rail=("60E1", "54E1"), nominal_radius=(0.4615, 0.459),
+                rail_inclination=(0.0, 1 / 40)),
+}
+METHODS = {
+    "rigid": {}, "rigid hertz": dict(normal_model="hertz", load="vertical"),
+    "rigid strips": dict(normal_model="analyn_strip"),
+    "elastic": dict(contact_mode="elastic"),
+    "elastic strips": dict(contact_mode="elastic", normal_model="analyn_strip"),
+    "compliant": dict(contact_mode="compliant"),
+}
+MIRROR = np.where(np.isin(np.arange(layout.INPUT_COUNT), (layout.IN_NORMAL_FORCE, layout.IN_VERTICAL_SHIFT)),
+                  1.0, -1.0)
+LEFT = slice(layout.OUT_LEFT, layout.OUT_LEFT + layout.SIDE_SIZE)
+RIGHT = slice(layout.OUT_RIGHT, layout.OUT_RIGHT + layout.SIDE_SIZE)
+
+
+def swapped(sides):
+    """The wheelset in the mirror."""
+    return {name: value[::-1] for name, value in sides.items()}
+
+
+def rows(sides, mode, count=12, seed=4):
+    """Inputs (count, n) over tread and flange root; of a compliant wheelset with heights and rolls at which
+    it is loaded."""
+    rng = np.random.default_rng(seed)
+    found = np.zeros((count, layout.INPUT_COUNT))
+    found[:, layout.IN_LATERAL_SHIFT] = rng.uniform(-5e-3, 5e-3, count)
+    found[:, layout.IN_YAW] = rng.uniform(-0.02, 0.02, count) * (np.arange(count) % 2)
+    found[:, layout.IN_NORMAL_FORCE] = rng.uniform(2e4, 1.2e5, count)
+    found[:, layout.IN_LOAD_TRANSFER] = rng.uniform(-0.5, 0.5, count)
+    if mode == "compliant":
+        rigid = wrcontact.ContactSystem(**sides, normal_model="hertz")
+        table = rigid.evaluate_many(found[:, layout.IN_LATERAL_SHIFT], found[:, layout.IN_YAW])
+        found[:, layout.IN_VERTICAL_SHIFT], found[:, layout.IN_ROLL] = table.vertical_shift + 9e-5, table.roll
+    return found
+
+
+def outputs(rows, **parameters):
+    """Outputs (count, m) and status (count,) of a new wheelset at every row."""
+    found, status = [], []
+    for row in rows:
+        stepper = wrcontact.ContactSystem(**parameters).stepper()
+        stepper.inputs[:] = row
+        status.append(stepper.step())
+        found.append(stepper.outputs.copy())
+    return np.array(found), np.array(status)
+
+
+@pytest.mark.parametrize("methods", METHODS)
+@pytest.mark.parametrize("sides", ["all", pytest.param("profiles", marks=pytest.mark.slow)])
+def test_in_the_mirror_left_and_right_change_places(sides, methods):
+    """Lateral shift, yaw and roll change their signs, and each side has the outputs of the other."""
+    chosen, methods = SIDES[sides], METHODS[methods]
+    poses = rows(chosen, methods.get("contact_mode"))
+    found, status = outputs(poses, **chosen, **methods)
+    there, status_there = outputs(poses * MIRROR, **swapped(chosen), **methods)
+    assert np.array_equal(status, status_there) and (status <= Status.UNLOADED).all()
+    size = np.abs(found).max(axis=0)
+    # rigid rolls are found to 1e-14 rad; elastic heights and rolls to 1e-13 m, of a penetration of 50 um
+    near = 1e-7 if "elastic" in methods.values() else 1e-9
+    signs = side_signs()
+    for one, other in ((LEFT, RIGHT), (RIGHT, LEFT)):
+        assert (np.abs(found[:, one] - signs * there[:, other]) <= near * size[one] + 1e-15).all()
+    assert np.abs(found[:, layout.OUT_ROLL] + there[:, layout.OUT_ROLL]).max() < 1e-12          # [rad]
+    # rigid: the height is that of the right wheel, whose gap equals the left one's
+    apart = found[:, layout.OUT_VERTICAL_SHIFT] - there[:, layout.OUT_VERTICAL_SHIFT]
+    assert np.abs(apart).max() < 1e-12                                                          # [m]
+
+
+@pytest.mark.parametrize("sides", [
+    dict(wheel=("S1002", "S1002")), dict(rail=("UIC60", "UIC60"), nominal_radius=(0.46, 0.46)),
+    dict(left_rail_inclination=1 / 40), {},
+])
+def test_equal_sides_are_one(sides):
+    """However they are said, with the same bits."""
+    system, plain = wrcontact.ContactSystem(**sides), wrcontact.ContactSystem()
+    stepper = system.stepper()
+    assert system.equal_sides and stepper.left_tables is stepper.tables
+    found, wanted = (one.evaluate(3e-3, 0.01, 9e4, 0.1) for one in (system, plain))
+    assert np.array_equal(found.values, wanted.values)
+
+
+def test_one_side_alone_does_not_see_the_other():
+    """A wheel has the patches that it has in a wheelset of equal sides with the same pose."""
+    sides = dict(nominal_radius=(0.4601, 0.46), rail_inclination=(1 / 39, 1 / 40))
+    alike = [wrcontact.ContactSystem(**{name: value[k] for name, value in sides.items()},
+                                     contact_mode="compliant") for k in range(2)]
+    mixed = wrcontact.ContactSystem(**sides, contact_mode="compliant")
+    for pose in rows(sides, "compliant"):
+        shift, yaw, down, roll = pose[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_VERTICAL_SHIFT,
+                                       layout.IN_ROLL]]
+        both = mixed.evaluate(shift, yaw, vertical_shift_input=down, roll_input=roll)
+        for k, side in enumerate(("left", "right")):
+            # its centre stands its own radius above the running circles, that of the mixed one the mean
+            higher = sides["nominal_radius"][k] - 0.46005
+            alone = alike[k].evaluate(shift, yaw, vertical_shift_input=down + higher, roll_input=roll)
+            for name in ("area", "max_pressure", "normal_force", "rolling_radius", "contact_angle"):
+                found, wanted = (getattr(getattr(state, side), name) for state in (both, alone))
+                # heights differ by 1e-16 m, penetrations are 1e-5 m and more
+                assert found == pytest.approx(wanted, rel=1e-8, abs=1e-12), (side, name)
+
+
+UNLIKE = {
+    "profiles": (dict(rail=("54E1", "UIC60")), dict(rail="54E1"), {}),
+    "inclinations": (dict(rail_inclination=(1 / 20, 1 / 40)), dict(inclination=1 / 20), {}),
+    "radii": (dict(nominal_radius=(0.458, 0.461)), {}, dict(nominal_radius=0.458)),
+}
+
+
+@pytest.mark.parametrize("case", UNLIKE)
+@pytest.mark.parametrize("pose", [(5.5e-3, 0.02), pytest.param((0.5e-3, 0.0), marks=pytest.mark.slow),
+                                  pytest.param((-6.2e-3, -0.01), marks=pytest.mark.slow)])
+def test_rigid_positions_are_those_of_brute_force(case, pose):
+    given, track, changed = UNLIKE[case]
+    radii = given.get("nominal_radius", (0.46, 0.46))
+    height = dict(height=0.5 * sum(radii))
+    right = replace(brute_force.track(), nominal_radius=radii[1], **height)
+    left = replace(brute_force.track(**track), **height, **changed)
+    wanted = brute_force.rigid_contact(right, *pose, left)
+    found = wrcontact.ContactSystem(**given).evaluate(*pose, 0.0)
+    # printed coefficients leave steps of 1 nm at the joints, which the product has closed
+    assert found.roll == pytest.approx(wanted.roll, abs=3e-9)                                   # [rad]
+    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=3e-9)               # [m]
+    for side in ("left", "right"):
+        mine, theirs = getattr(found, side), getattr(wanted, side)
+        for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "y_track", "z_track"):
+            # a gap that is off by 1 nm moves the contact by sqrt(2e-9 / 5 m) / 100, 0.2 um
+            assert getattr(mine.contact, name) == pytest.approx(getattr(theirs, name), abs=3e-7), (side, name)
+        assert mine.rolling_radius == pytest.approx(theirs.rolling_radius, abs=1e-7)
+        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=3e-5)
+
+
+def test_a_larger_left_wheel_lets_the_wheelset_roll_right_side_down():
+    """Two cones on rails: contact keeps its place to first order, so the roll is the difference of the radii
+    over the distance of the contacts, and the centre stands at the mean."""
+    plain = wrcontact.ContactSystem("cone20").evaluate()
+    larger = 0.2e-3
+    found = wrcontact.ContactSystem("cone20", nominal_radius=(0.46 + larger, 0.46)).evaluate()
+    apart = plain.right.contact.y_track - plain.left.contact.y_track
+    # of second order are a shift of the contact by 0.06 mm and the cone's 1:20 under this roll
+    assert found.roll == pytest.approx(larger / apart, rel=0.05)
+    assert found.vertical_shift == pytest.approx(plain.vertical_shift, abs=0.01 * larger)
+    assert found.left.rolling_radius - found.right.rolling_radius == pytest.approx(larger, rel=0.1)
+
+
+def test_forces_balance_about_the_centre():
+    """Moments count about the wheelset's centre, the mean of both radii above the running circles."""
+    system = wrcontact.ContactSystem(**SIDES["all"])
+    state = system.evaluate(1e-3, 0.0, 8e4)
+    height = 0.5 * (0.4615 + 0.459)
+    total = np.zeros(3)
+    for side in (state.left, state.right):
+        for patch in side.patches:
+            arm = np.array([patch.x_track, patch.y_track - 1e-3,
+                            patch.z_track - (state.vertical_shift - height)])
+            total += np.cross(arm, [patch.force.x, patch.force.y, patch.force.z])
+    moment = np.array([state.moment.x, state.moment.y, state.moment.z])
+    assert moment == pytest.approx(total, rel=1e-9, abs=1e-6)                                   # [N m]
+
+
+@pytest.mark.parametrize("methods", ["rigid hertz", "elastic", "compliant"])
+def test_derivatives_are_those_of_differences(methods):
+    """At one pose, for all outputs and inputs: tests/tangent/test_derivatives.py has the method."""
+    from tests.tangent import test_derivatives as tangent
+
+    chosen = METHODS[methods]
+    stepper = wrcontact.ContactSystem(**SIDES["all"], **chosen).stepper()
+    compliant = chosen.get("contact_mode") == "compliant"
+    for row in rows(SIDES["all"], chosen.get("contact_mode"), count=2):
+        for number in tangent.COMPLIANT_INPUTS if compliant else tangent.INPUTS:
+            status, rates = tangent.derivative(stepper, row, number)
+            wanted, apart, _ = tangent.differences(stepper, row, number)
+            size = tangent.scale(rates, number)
+            clear = (apart / size <= tangent.CLEAR) & tangent.CONTINUOUS
+            assert status <= Status.UNLOADED and clear.mean() > 0.8
+            assert np.abs((rates - wanted) / size)[clear].max() < tangent.AGREE
+
+
+def test_the_half_space_sees_both_sides():
+    """In the mirror, to what the half-space is asked for."""
+    chosen = dict(normal_model="halfspace", tolerance=0.05)
+    found = wrcontact.ContactSystem(**SIDES["radii"], **chosen).evaluate(1e-3)
+    there = wrcontact.ContactSystem(**swapped(SIDES["radii"]), **chosen).evaluate(-1e-3)
+    for one, other in ((found.left, there.right), (found.right, there.left)):
+        assert one.area == pytest.approx(other.area, rel=0.05)
+        assert one.penetration == pytest.approx(other.penetration, rel=0.01)
+    kernel = wrcontact.ContactSystem(**SIDES["radii"]).evaluate(1e-3)
+    assert found.roll == kernel.roll and found.left.rolling_radius == kernel.left.rolling_radius
+
+
+def test_a_copy_has_the_same_sides():
+    system = wrcontact.ContactSystem(**SIDES["all"])
+    copy = pickle.loads(pickle.dumps(system))
+    assert np.array_equal(copy.evaluate(1e-3).values, system.evaluate(1e-3).values)
+    assert eval(repr(system), {"ContactSystem": wrcontact.ContactSystem}).parameters == system.parameters
+
+
+@pytest.mark.parametrize("given, words", [
+    (dict(wheel=("S1002", "UIC60")), "wheel is 'UIC60' (a profile of the other kind)"),
+    (dict(wheel=("UIC60", "S1002")), "left_wheel is 'UIC60' (a profile of the other kind)"),
+    (dict(rail=("UIC60",)), "rail is ('UIC60',); permitted is one value, or (left, right)"),
+    (dict(nominal_radius=(0.0, 0.46)), "left_nominal_radius is 0.0; permitted is 0.1 ... 1 m"),
+    (dict(nominal_radius=(0.45, 0.46), left_nominal_radius=0.44), "left_nominal_radius is 0.44, but"),
+    (dict(left_rail_inclination=0.2), "left_rail_inclination is 0.2; permitted is 0 ... 0.1"),
+])
+def test_what_is_refused(given, words):
+    with pytest.raises(ValueError) as refusal:
+        wrcontact.ContactSystem(**given)
+    assert str(refusal.value).startswith(words)
+
+
+def test_an_upright_left_rail_is_not_that_of_the_right():
+    """In Python 0 is a value; only an FMU takes it for "as on the right"."""
+    assert not wrcontact.ContactSystem(rail_inclination=(0.0, 1 / 40)).equal_sides
+
+
+def test_every_parameter_of_the_left_side_stands_beside_one_of_the_right():
+    names = [one.name for one in VARIABLES if one.causality == "parameter"]
+    assert [name for name in names if name.startswith("left_")] == [
+        "left_wheel_profile", "left_rail_profile", "left_rail_inclination", "left_nominal_radius"]
