@@ -1,5 +1,6 @@
 """The inputs: one row for each, in the order of the kernel's array."""
 
+from .motion import MOTION
 from .rows import Input
 
 #: Permitted |lateral shift| [m] and |yaw| [rad]; beyond it the contact leaves the profiles' running surfaces.
@@ -29,6 +30,7 @@ INPUTS = (
           -HEIGHT_LIMIT, HEIGHT_LIMIT, field="vertical_shift"),
     Input("roll_input", "rad", 1e-3, "Roll of the wheelset in the contact_mode compliant, positive with the "
           "right wheel down; other modes do not read it", -ROLL_LIMIT, ROLL_LIMIT, field="roll"),
+    *MOTION,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

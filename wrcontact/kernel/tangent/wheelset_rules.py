@@ -20,6 +20,7 @@ from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, turn_wheelset
 from ..wheelset.compliant import load_at_height
 from ..wheelset.elastic import UNBALANCED
+from ..wheelset.moving import is_rolling, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
 from ..wheelset.rigid import solve_rigid
@@ -138,5 +139,7 @@ def differentiate(tables: Tables, work: Work, state: State):
     if mode == MODE_COMPLIANT:
         follow_compliant(tables, work, state)
     write_resultant(tables, work.inputs, work.outputs, work.supports[0].resultant, work.supports[1].resultant)
+    if is_rolling(work.inputs) == 1:
+        write_creepages(tables, work)
     omit_outputs(tables, work)
     return outcome

@@ -1,0 +1,76 @@
+/* Generated from motion/wheelset_motion.py by tools/transpile_kernel.py; change that one.
+ *
+ * The motion of a wheelset and its rails, from the inputs.
+ *
+ * Velocities are those in the track frame, whose origin runs along the track with the speed.  In a curve the
+ * frame turns in space, and the rails stand still there.
+ */
+
+#include "wheelset_motion.h"
+
+/* Rotation of the wheelset about its axle [rad/s], positive when it rolls forward. */
+static inline double wheelset_motion__rolling_rate(array_double_1d work, array_double_1d tables)
+{
+    double rate;
+    rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE));
+    if ((rate == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
+    {
+        rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / (*cspan_at(&tables, layout__TABLES_RADIUS));
+    }
+    return rate;
+}
+
+/* What the inputs say of the motion, at the pose of the ``outputs``.  Vertical velocity and roll rate are
+ * left to :func:`set_rates`.
+ */
+static inline int64_t wheelset_motion__open_motion(array_double_1d work, array_double_1d tables)
+{
+    double sin_yaw;
+    double cos_yaw;
+    double sin_roll;
+    double cos_roll;
+    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    sin_roll = sin((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)));
+    cos_roll = cos((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_WHEEL_RATE)) = wheelset_motion__rolling_rate(work, tables);
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_X)) = (-sin_yaw) * cos_roll;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z)) = sin_roll;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    return INT64_C(0);
+}
+
+/* The rails stand still. */
+static inline int64_t wheelset_motion__open_rails(array_double_1d work, array_double_1d tables)
+{
+    int64_t index;
+    int64_t rail;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        rail = layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * index;
+        (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = 0.0;
+        (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = 0.0;
+        (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = 0.0;
+        (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+        (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Give the motion its vertical velocity [m/s] and roll rate [rad/s].
+ *
+ * The wheelset rolls about its own x axis, which yaws with it: (cos(yaw), sin(yaw), 0).
+ */
+static inline int64_t wheelset_motion__set_rates(array_double_1d work, double vertical, double roll_rate)
+{
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_VERTICAL)) = vertical;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_X)) = roll_rate * cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) = roll_rate * sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    return INT64_C(0);
+}

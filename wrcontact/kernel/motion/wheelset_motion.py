@@ -1,0 +1,60 @@
+"""The motion of a wheelset and its rails, from the inputs.
+
+Velocities are those in the track frame, whose origin runs along the track with the speed.  In a curve the
+frame turns in space, and the rails stand still there.
+"""
+
+from math import cos, sin
+
+from ..layout import Inputs, Motion, Outputs, Tables
+
+
+def rolling_rate(tables: Tables, inputs: Inputs):
+    """Rotation of the wheelset about its axle [rad/s], positive when it rolls forward."""
+    rate = inputs.wheel_rate
+    if rate == 0.0 and inputs.free_rolling != 0.0:
+        rate = inputs.speed / tables.radius
+    return rate
+
+
+def open_motion(tables: Tables, motion: Motion, inputs: Inputs, outputs: Outputs):
+    """What the inputs say of the motion, at the pose of the ``outputs``.  Vertical velocity and roll rate are
+    left to :func:`set_rates`."""
+    sin_yaw = sin(inputs.yaw)
+    cos_yaw = cos(inputs.yaw)
+    sin_roll = sin(outputs.roll)
+    cos_roll = cos(outputs.roll)
+    motion.speed = inputs.speed
+    motion.lateral = inputs.lateral_velocity
+    motion.wheel_rate = rolling_rate(tables, inputs)
+    motion.track_rate = inputs.speed * inputs.track_curvature
+    motion.turn_z = inputs.yaw_rate
+    motion.axle_x = -sin_yaw * cos_roll
+    motion.axle_y = cos_yaw * cos_roll
+    motion.axle_z = sin_roll
+    motion.centre_y = inputs.lateral_shift
+    motion.centre_z = outputs.vertical_shift - tables.radius
+    return 0
+
+
+def open_rails(tables: Tables, motion: Motion):
+    """The rails stand still."""
+    for index in range(2):
+        rail = motion.rails[index]
+        rail.lateral = 0.0
+        rail.vertical = 0.0
+        rail.roll = 0.0
+        rail.y = float(2 * index - 1) * tables.rail_y
+        rail.z = 0.0
+    return 0
+
+
+def set_rates(motion: Motion, inputs: Inputs, vertical: float, roll_rate: float):
+    """Give the motion its vertical velocity [m/s] and roll rate [rad/s].
+
+    The wheelset rolls about its own x axis, which yaws with it: (cos(yaw), sin(yaw), 0).
+    """
+    motion.vertical = vertical
+    motion.turn_x = roll_rate * cos(inputs.yaw)
+    motion.turn_y = roll_rate * sin(inputs.yaw)
+    return 0
