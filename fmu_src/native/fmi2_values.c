@@ -39,11 +39,7 @@ GET(fmi2GetReal, fmi2Real, MODEL_REAL, wheelset_refresh(self->wheelset), self->w
 GET(fmi2GetInteger, fmi2Integer, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, reference))
 GET(fmi2GetString, fmi2String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[reference].slot])
 
-fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Boolean values[])
-{
-    (void)references, (void)values;
-    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2GetBoolean", "there are no Booleans");
-}
+GET(fmi2GetBoolean, fmi2Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[reference] != 0.0)
 
 /* A function that sets values of one type, all of them or none: `REFUSED` is whether the value
  * of place `i` cannot be set, `APPLY` sets it. */
@@ -66,13 +62,8 @@ SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, references[i], 
 SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, references[i]), (void)0)
 SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, references[i], values[i]),
     wheelset_set_string(self->wheelset, references[i], values[i]))
-
-fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count,
-                          const fmi2Boolean values[])
-{
-    (void)references, (void)values;
-    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2SetBoolean", "there are no Booleans");
-}
+SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, references[i]),
+    wheelset_set_real(self->wheelset, references[i], values[i] ? 1.0 : 0.0))
 
 /* --- directional derivatives ------------------------------------------------------------------------ */
 

@@ -119,6 +119,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     }
 
 GET(fmi3GetInt32, fmi3Int32, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, (uint32_t)FIRST))
+GET(fmi3GetBoolean, fmi3Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[FIRST] != 0.0)
 GET(fmi3GetUInt64, fmi3UInt64, MODEL_UNSIGNED, 0, self->wheelset->core.stations)
 GET(fmi3GetString, fmi3String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[FIRST].slot])
 
@@ -150,6 +151,8 @@ static int may_set_float(instance *self, int first, double value)
 SET(fmi3SetFloat64, fmi3Float64, MODEL_REAL, may_set_float(self, FIRST, values[i]),
     wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i]))
 SET(fmi3SetInt32, fmi3Int32, MODEL_INTEGER, wheelset_may_set_integer(self->wheelset, (uint32_t)FIRST), (void)0)
+SET(fmi3SetBoolean, fmi3Boolean, MODEL_BOOLEAN, wheelset_may_set_boolean(self->wheelset, (uint32_t)FIRST),
+    wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i] ? 1.0 : 0.0))
 SET(fmi3SetUInt64, fmi3UInt64, MODEL_UNSIGNED, wheelset_set_stations(self->wheelset, values[i]), (void)0)
 SET(fmi3SetString, fmi3String, MODEL_STRING, wheelset_may_set_string(self->wheelset, (uint32_t)FIRST, values[i]),
     wheelset_set_string(self->wheelset, (uint32_t)FIRST, values[i]))

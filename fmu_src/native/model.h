@@ -7,7 +7,8 @@
 #include "model_sizes.h"
 
 typedef enum { MODEL_INPUT, MODEL_PARAMETER, MODEL_OUTPUT } model_causality;
-typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_STRING, MODEL_UNSIGNED } model_type;     /* the last one in FMI 3 only */
+/* The last one in FMI 3 only. */
+typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_BOOLEAN, MODEL_STRING, MODEL_UNSIGNED } model_type;
 
 /* A method as the user names it and as the kernel numbers it. */
 typedef struct {

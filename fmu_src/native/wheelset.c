@@ -167,7 +167,7 @@ int wheelset_terminate(wheelset *self)
 
 int wheelset_check(wheelset *self, uint32_t reference, model_type type)
 {
-    static const char *const NAMES[] = {"Real", "Integer", "String", "UInt64"};
+    static const char *const NAMES[] = {"Real", "Integer", "Boolean", "String", "UInt64"};
     if (reference >= MODEL_VARIABLES)
         return wheelset_refuse(self, "value reference %lu does not exist; they run from 0 to %d", (unsigned long)reference,
                                MODEL_VARIABLES - 1);
@@ -250,6 +250,11 @@ void wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
 int wheelset_may_set_integer(wheelset *self, uint32_t reference)
 {
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
+}
+
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference)
+{
+    return wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference);
 }
 
 int wheelset_set_stations(wheelset *self, uint64_t stations)

@@ -79,6 +79,7 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type);
 int wheelset_may_set_real(wheelset *self, uint32_t reference, double value);
 int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value);
 int wheelset_may_set_integer(wheelset *self, uint32_t reference);       /* none can be set */
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference);
 int wheelset_may_get(wheelset *self, uint32_t reference, model_type type);
 void wheelset_set_real(wheelset *self, uint32_t reference, double value);
 void wheelset_set_string(wheelset *self, uint32_t reference, const char *value);

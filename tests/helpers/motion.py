@@ -9,7 +9,7 @@ def about_x(angle):
 
 
 def about_y(angle):
-    """Positive for a wheel that rolls forward, x to z below the axle... a negative rotation about y."""
+    """Positive for a wheel that rolls forward, which is a negative rotation about y."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
 
@@ -38,3 +38,24 @@ def velocity(place, *, centre, yaw, roll, speed=0.0, lateral=0.0, vertical=0.0, 
         return np.array([*origin, 0.0]) + about_z(angle) @ in_track
 
     return (moved(step) - moved(-step)) / (2 * step)
+
+
+def creepages(*, place, radius, angle, sign, centre, yaw, roll, speed, wheel_rate, **rates):
+    """(x, y, spin) of a patch at ``place`` [m] by finite displacements.
+
+    radius : of the wheel at the centre of load [m]; the wheel's surface is this far from the axle.
+    angle : of the patch's normal, positive towards the flange [rad]; ``sign`` = 1 on the right, -1 on the
+        left.
+    """
+    axle = about_z(yaw) @ about_x(roll) @ [0.0, 1.0, 0.0]
+    place = np.asarray(place, float)
+    away = place - centre - (place - centre) @ axle * axle
+    surface = place + away * (radius / np.linalg.norm(away) - 1)
+    lateral = np.cross([0.0, -sign * np.sin(angle), -np.cos(angle)], [1.0, 0.0, 0.0])
+    moves = dict(centre=centre, yaw=yaw, roll=roll, speed=speed, **rates)
+    slide = velocity(surface, wheel_rate=wheel_rate, **moves)
+    rolling = slide - velocity(surface, **moves)
+    reference = (abs(speed) + abs(rolling[0])) / 2
+    # a rotation about the normal moves what lies to the left against x
+    ahead = velocity(surface + 1e-3 * lateral, wheel_rate=wheel_rate, **moves)
+    return np.array([slide[0], slide @ lateral, (slide[0] - ahead[0]) / 1e-3]) / reference

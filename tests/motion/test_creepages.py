@@ -8,7 +8,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import system
-from tests.helpers.motion import velocity
+from tests.helpers.motion import creepages
 from tests.helpers.paths import REFERENCE_DATA
 from wrcontact.kernel.layout import Work
 
@@ -18,12 +18,6 @@ MODELS = ("hertz", "analyn", "analyn_strip")
 MOTION = dict(speed=25.0, lateral_velocity=0.04, yaw_rate=0.06, wheel_rate=55.0, track_curvature=1 / 400)
 #: Tread, flange root and flange with yaw, and two patches.
 POSES = [(1e-3, 0.0), (-3e-3, 0.004), (5.2e-3, -0.01), (7e-3, 0.035), (-6.5e-3, -0.02), (5e-3, 0.0)]
-
-
-def axes(sign, patch):
-    """Normal from rail to wheel, and n x e_x, of a patch on the side ``sign``."""
-    normal = np.array([0.0, -sign * math.sin(patch.contact_angle), -math.cos(patch.contact_angle)])
-    return normal, np.cross(normal, [1.0, 0.0, 0.0])
 
 
 def rates(stepper):
@@ -41,27 +35,16 @@ def test_velocities_are_those_of_finite_displacements(shift, yaw, model):
     given = dict(vertical_velocity=-0.03, roll_rate=0.05, **MOTION)
     state = system(contact_mode="compliant", normal_model=model).evaluate(
         shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **given)
-    centre = np.array([0.0, shift, state.vertical_shift - RADIUS])
-    axle = np.array([-math.sin(yaw) * math.cos(state.roll), math.cos(yaw) * math.cos(state.roll),
-                     math.sin(state.roll)])
-    moves = dict(centre=centre, yaw=yaw, roll=state.roll, speed=25.0, lateral=0.04, vertical=-0.03,
-                 yaw_rate=0.06, roll_rate=0.05, curvature=1 / 400)
+    moves = dict(centre=np.array([0.0, shift, state.vertical_shift - RADIUS]), yaw=yaw, roll=state.roll,
+                 speed=25.0, wheel_rate=55.0, lateral=0.04, vertical=-0.03, yaw_rate=0.06, roll_rate=0.05,
+                 curvature=1 / 400)
     for sign, wheel in ((-1, state.left), (1, state.right)):
         for patch in wheel.patches:
-            place = np.array([patch.x_track, patch.y_track, patch.z_track])
-            away = place - centre - (place - centre) @ axle * axle
-            surface = place + away * (patch.rolling_radius / np.linalg.norm(away) - 1)
-            normal, lateral = axes(sign, patch)
-            slide = velocity(surface, wheel_rate=55.0, **moves)
-            rolling = slide - velocity(surface, **moves)
-            reference = (25.0 + abs(rolling[0])) / 2
-            creepage = patch.creepage
-            # differences of 1e-6 s, and the depth of the place times the rates
-            assert creepage.x == pytest.approx(slide[0] / reference, abs=2e-7)
-            assert creepage.y == pytest.approx(slide @ lateral / reference, abs=1e-6)
-            ahead = velocity(surface + 1e-3 * lateral, wheel_rate=55.0, **moves)
-            turning = -(ahead[0] - slide[0]) / 1e-3         # a rotation about n moves y_c against x
-            assert creepage.spin == pytest.approx(turning / reference, abs=1e-6)
+            expected = creepages(place=(patch.x_track, patch.y_track, patch.z_track), sign=sign,
+                                 radius=patch.rolling_radius, angle=patch.contact_angle, **moves)
+            found = patch.creepage.x, patch.creepage.y, patch.creepage.spin
+            # differences over 1e-6 s, and the depth of the place times the rates
+            np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)
 
 
 @pytest.mark.parametrize("shift, yaw", POSES)

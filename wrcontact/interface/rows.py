@@ -61,7 +61,7 @@ class Input(Row):
 @dataclass(frozen=True)
 class Output(Row):
     """A number; ``whole`` numbers are integers.  ``follows`` are names of the inputs that it depends on, None
-    for all but hints."""
+    for all of the pose and the load."""
 
     whole: bool = False
     follows: tuple | None = None

@@ -10,7 +10,7 @@ import math
 import re
 from dataclasses import dataclass, replace
 
-from .inputs import ANSWERED, INPUTS
+from .inputs import ANSWERED, INPUTS, POSE
 from .outputs import SIDE, SIDES, STATION_COUNT, WHEELSET
 from .parameters import PARAMETERS
 from .rows import AXES, Blocks, Run, Vector
@@ -18,7 +18,7 @@ from .starts import STARTS
 from .units import UNITS  # noqa: F401  a part of the table
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"
-REAL, INTEGER, STRING = "Real", "Integer", "String"
+REAL, INTEGER, BOOLEAN, STRING = "Real", "Integer", "Boolean", "String"
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Variable:
 
     @property
     def variability(self):
-        """How the value may change: parameters are fixed, Reals follow their inputs, Integers switch."""
+        """How the value may change: parameters are fixed, Reals follow their inputs, others switch."""
         if self.causality == PARAMETER:
             return "fixed"
         return "continuous" if self.type == REAL else "discrete"
@@ -62,6 +62,9 @@ class Variable:
 def _inputs():
     """What moves: the pose and the load of the wheelset."""
     for row in INPUTS:
+        if row.switch:
+            yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=bool(row.start))
+            continue
         yield Variable(
             row.name,
             INPUT,
@@ -121,7 +124,7 @@ def _expanded(rows, prefix="", place=""):
 def _output(row, name, meaning, place):
     """One output; angles are bounded by a right angle."""
     low, high = (-math.pi / 2, math.pi / 2) if row.unit == "rad" else (row.minimum, row.maximum)
-    follows = ANSWERED if row.follows is None else row.follows
+    follows = POSE if row.follows is None else row.follows
     if row.whole:
         return Variable(
             name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=follows, place=place

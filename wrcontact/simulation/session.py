@@ -18,7 +18,17 @@ from pathlib import Path
 import numpy as np
 
 from .. import status as outcomes
-from ..interface.variables import FIRST_OUTPUT, INTEGER, OUTPUT, PARAMETER, REAL, STATUS, STRING, VARIABLES
+from ..interface.variables import (
+    BOOLEAN,
+    FIRST_OUTPUT,
+    INTEGER,
+    OUTPUT,
+    PARAMETER,
+    REAL,
+    STATUS,
+    STRING,
+    VARIABLES,
+)
 from ..kernel import layout
 from ..methods.choices import check_choice
 from ..system import ContactSystem
@@ -26,9 +36,8 @@ from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
 INPUTS = layout.INPUT_COUNT
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
-START = np.array([v.start if v.type == REAL and v.start is not None else 0.0 for v in VARIABLES])
-
-BOOLEAN = "Boolean"     # which no variable is
+START = np.array([v.start if v.type in (REAL, BOOLEAN) and v.start is not None else 0.0 for v in VARIABLES],
+                 dtype=float)
 
 #: First bytes of every saved state; the number changes with the format.
 STATE_FORMAT = b"wrcontact state 2\n"
@@ -196,10 +205,17 @@ class Session:
         values = self._values
         return [int(values[place]) for place in self._integer_places]
 
-    def refuse_booleans(self, references):
-        """Always :class:`Refused`: no variable is a Boolean."""
-        for reference in references:
-            _variable(reference, BOOLEAN)
+    def set_booleans(self, references, values):
+        """Set inputs that are switches, all of them or none."""
+        self._settable(references, values, BOOLEAN)
+        for reference, value in zip(references, values, strict=True):
+            if self._values[reference] != bool(value):
+                self._values[reference] = bool(value)
+                self._stale = True
+
+    def get_booleans(self, references):
+        """Inputs that are switches."""
+        return [bool(self._values[_place(reference, BOOLEAN)]) for reference in references]
 
     def step(self, time=None, size=0.0):
         """Update the outputs for a step of ``size`` [s] that begins at ``time`` [s], by default at the end of
