@@ -23,7 +23,7 @@ typedef struct {
     model_causality causality;
     const char *unit;           /* with a space before it, "" without one */
     double start;
-    double low, high;               /* permitted range of a numeric parameter */
+    double low, high;               /* permitted range of a numeric parameter, or of an input; 0, 0 without one */
     int setup;                      /* its place in the kernel's setup, or -1 */
     int slot;                       /* of a String: its place among the Strings, or -1 */
     const char *text;               /* and its start */

@@ -2,8 +2,8 @@
 
 from .rows import Input
 
-#: Declared ranges: speed [m/s], other velocities [m/s], rotations [rad/s], wheel rotation [rad/s] and
-#: curvature of the track [1/m].
+#: Permitted size of the speed [m/s], other velocities [m/s], rotations [rad/s], the wheels' rotation [rad/s]
+#: and the curvature of the track [1/m]; beyond them a value has lost its unit.
 SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 20.0, 100.0, 2000.0, 0.1
 
 #: Where the contact determines it, an input of this kind is not read.
@@ -11,19 +11,20 @@ DERIVED = "in other contact modes it follows from contact with both rails, and t
 
 MOTION = (
     Input("speed", "m/s", 10.0, "Speed along the track; no creepages are computed where it and wheel_rate "
-          "are zero", -SPEED_LIMIT, SPEED_LIMIT),
-    Input("lateral_velocity", "m/s", 0.01, "How fast the lateral shift grows", -VELOCITY_LIMIT,
-          VELOCITY_LIMIT),
+          "are zero", -SPEED_LIMIT, SPEED_LIMIT, limited=True),
+    Input("lateral_velocity", "m/s", 0.01, "How fast the lateral shift grows",
+          -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
     Input("vertical_velocity", "m/s", 0.01, "How fast the vertical shift grows in the contact_mode "
-          f"compliant; {DERIVED}", -VELOCITY_LIMIT, VELOCITY_LIMIT),
+          f"compliant; {DERIVED}", -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
     Input("yaw_rate", "rad/s", 0.1, "How fast the yaw grows; the turning of the track in a curve is no part "
-          "of it", -RATE_LIMIT, RATE_LIMIT),
+          "of it", -RATE_LIMIT, RATE_LIMIT, limited=True),
     Input("roll_rate", "rad/s", 0.01, f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
-          -RATE_LIMIT, RATE_LIMIT),
+          -RATE_LIMIT, RATE_LIMIT, limited=True),
     Input("wheel_rate", "rad/s", 20.0, "Rotation of the wheelset about its axle, positive when it rolls "
-          "forward; 0 with free_rolling means speed / nominal_radius", -WHEEL_LIMIT, WHEEL_LIMIT),
+          "forward; 0 with free_rolling means speed / nominal_radius",
+          -WHEEL_LIMIT, WHEEL_LIMIT, limited=True),
     Input("free_rolling", "1", 1.0, "Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it "
           "means wheels that do not turn", 0.0, 1.0, start=1.0, switch=True),
     Input("track_curvature", "1/m", 1e-3, "Curvature of the track, 1 / radius, positive in a curve to the "
-          "right", -CURVATURE_LIMIT, CURVATURE_LIMIT),
+          "right", -CURVATURE_LIMIT, CURVATURE_LIMIT, limited=True),
 )

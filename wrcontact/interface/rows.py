@@ -47,14 +47,15 @@ class Input(Row):
 
     ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
     :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.  Outside ``usual`` =
-    (low, high) a value is rather a typing error.  A ``switch`` is a Boolean in an FMU; the kernel reads it as
-    1 or 0.
+    (low, high) a value is rather a typing error.  Beyond the ``maximum`` of a ``limited`` one, to either
+    side, a step is refused.  A ``switch`` is a Boolean in an FMU; the kernel reads it as 1 or 0.
     """
 
     start: float = 0.0
     hint: bool = False
     positional: bool = False
     usual: tuple | None = None
+    limited: bool = False
     switch: bool = False
 
 

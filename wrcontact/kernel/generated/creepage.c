@@ -67,7 +67,7 @@ static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rai
     normal_y = (-mirror) * sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
     normal_z = -cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
     reference = 0.5 * (fabs((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED))) + fabs(rolling * around_x));
-    if (reference > 0.0)
+    if (reference > creepage__STANDSTILL)
     {
         (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = along / reference;
         (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = (normal_z * lateral - normal_y * vertical) / reference;

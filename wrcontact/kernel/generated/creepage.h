@@ -23,6 +23,8 @@
 #include "../native/spans.h"
 #include "layout.h"
 
+static const double creepage__STANDSTILL = 1e-06;
+
 static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rail, int64_t patch, double mirror);
 static inline int64_t creepage__write_side_creepages(array_double_1d work, int64_t rail, int64_t side, double mirror);
 

@@ -107,7 +107,7 @@ static inline int64_t tangent_creepage__write_creepage_t(array_double_1d work, a
     v10 = fabs((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED))) + fabs(v9);
     reference_t = 0.5 * (tangent_rates__size_rate((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)), (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_SPEED))) + tangent_rates__size_rate(v9, rolling_t * around_x + rolling * around_x_t));
     reference = 0.5 * v10;
-    if (reference > 0.0)
+    if (reference > creepage__STANDSTILL)
     {
         v11 = along / reference;
         (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = (along_t - v11 * reference_t) / reference;

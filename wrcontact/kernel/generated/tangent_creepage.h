@@ -7,6 +7,7 @@
 #define WRCONTACT_KERNEL_TANGENT_CREEPAGE_H
 
 #include "../native/spans.h"
+#include "creepage.h"
 #include "layout.h"
 #include "tangent_rates.h"
 

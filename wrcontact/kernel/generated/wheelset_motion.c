@@ -8,6 +8,30 @@
 
 #include "wheelset_motion.h"
 
+/* 1 if no velocity among the inputs is beyond its limit, else 0. */
+static inline int64_t wheelset_motion__is_moderate(array_double_1d work)
+{
+    int64_t moderate;
+    moderate = INT64_C(1);
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED))) > layout__SPEED_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE))) > layout__WHEEL_LIMIT))
+    {
+        moderate = INT64_C(0);
+    }
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY))) > layout__VELOCITY_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY))) > layout__VELOCITY_LIMIT))
+    {
+        moderate = INT64_C(0);
+    }
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE))) > layout__RATE_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE))) > layout__RATE_LIMIT))
+    {
+        moderate = INT64_C(0);
+    }
+    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE))) > layout__CURVATURE_LIMIT)
+    {
+        moderate = INT64_C(0);
+    }
+    return moderate;
+}
+
 /* Rotation of the wheelset about its axle [rad/s], positive when it rolls forward. */
 static inline double wheelset_motion__rolling_rate(array_double_1d work, array_double_1d tables)
 {

@@ -16,8 +16,12 @@ circumference that it has when it carries nothing, however deep it is pressed.
 """
 
 from math import cos, fabs, sin, sqrt
+from typing import Final
 
 from ..layout import PATCH_LIMIT, Motion, Patch, RailMotion, SideOutputs
+
+#: A wheel that rolls more slowly than this [m/s] stands still and has no creepages: a micrometre a second.
+STANDSTILL: Final[float] = 1e-6
 
 
 def write_side_creepages(motion: Motion, rail: RailMotion, side: SideOutputs, mirror: float):
@@ -49,7 +53,7 @@ def write_creepage(motion: Motion, rail: RailMotion, patch: Patch, mirror: float
     normal_y = -mirror * sin(patch.contact_angle)
     normal_z = -cos(patch.contact_angle)
     reference = 0.5 * (fabs(motion.speed) + fabs(rolling * around_x))
-    if reference > 0.0:
+    if reference > STANDSTILL:
         patch.creepage_x = along / reference
         patch.creepage_y = (normal_z * lateral - normal_y * vertical) / reference
         patch.spin = ((motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y

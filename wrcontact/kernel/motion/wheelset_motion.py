@@ -4,9 +4,33 @@ Velocities are those in the track frame, whose origin runs along the track with 
 frame turns in space, and the rails stand still there.
 """
 
-from math import cos, sin
+from math import cos, fabs, sin
 
-from ..layout import Inputs, Motion, Outputs, Tables
+from ..layout import (
+    CURVATURE_LIMIT,
+    RATE_LIMIT,
+    SPEED_LIMIT,
+    VELOCITY_LIMIT,
+    WHEEL_LIMIT,
+    Inputs,
+    Motion,
+    Outputs,
+    Tables,
+)
+
+
+def is_moderate(inputs: Inputs):
+    """1 if no velocity among the inputs is beyond its limit, else 0."""
+    moderate = 1
+    if fabs(inputs.speed) > SPEED_LIMIT or fabs(inputs.wheel_rate) > WHEEL_LIMIT:
+        moderate = 0
+    if fabs(inputs.lateral_velocity) > VELOCITY_LIMIT or fabs(inputs.vertical_velocity) > VELOCITY_LIMIT:
+        moderate = 0
+    if fabs(inputs.yaw_rate) > RATE_LIMIT or fabs(inputs.roll_rate) > RATE_LIMIT:
+        moderate = 0
+    if fabs(inputs.track_curvature) > CURVATURE_LIMIT:
+        moderate = 0
+    return moderate
 
 
 def rolling_rate(tables: Tables, inputs: Inputs):

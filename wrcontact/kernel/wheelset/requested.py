@@ -22,6 +22,7 @@ from ..layout import (
     Tables,
     Work,
 )
+from ..motion.wheelset_motion import is_moderate
 from .outlines import fill_apart
 
 
@@ -34,6 +35,8 @@ def check_inputs(tables: Tables, inputs: Inputs):
     if tables.mode == MODE_COMPLIANT and fabs(inputs.roll) > ROLL_LIMIT:
         status = OFF_PROFILE
     if inputs.normal_force < 0.0 or fabs(inputs.load_transfer) > 1.0:
+        status = INVALID_INPUT
+    if is_moderate(inputs) == 0:
         status = INVALID_INPUT
     for i in range(INPUT_COUNT):
         if not isfinite(inputs[i]):
