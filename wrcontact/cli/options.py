@@ -105,7 +105,7 @@ def takes(**groups):
 
 def name_of(variable):
     """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
-    return variable.keyword or variable.name
+    return variable.keyword or variable.name.replace(".", "_")
 
 
 def option_of(variable):

@@ -11,7 +11,7 @@ from .parameters import GROUPS, PARAMETERS
 
 #: Places in the kernel's inputs of those that can be given without their names, and of all by name.
 POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
-PLACES = {row.name: place for place, row in enumerate(INPUTS)}
+PLACES = {row.keyword: place for place, row in enumerate(INPUTS)}
 STARTS = [row.start for row in INPUTS]
 #: Inputs with a usual range, with their places.
 USUAL = [(place, row) for place, row in enumerate(INPUTS) if row.usual is not None]
@@ -27,7 +27,7 @@ def input_values(arguments, keywords):
             raise TypeError(f"there is no input {name!r}; inputs are {', '.join(PLACES)}")
         values[PLACES[name]] = value
     if len(arguments) > len(POSITIONAL) or any(
-        INPUTS[place].name in keywords for place in POSITIONAL[: len(arguments)]
+        INPUTS[place].keyword in keywords for place in POSITIONAL[: len(arguments)]
     ):
         names = ", ".join(INPUTS[place].name for place in POSITIONAL)
         raise TypeError(
@@ -73,14 +73,14 @@ def describe_inputs(function):
     """Give ``evaluate`` or ``evaluate_many`` its signature, and the words of the inputs."""
     found = signature(function).parameters
     rows = [
-        _parameter(row.name, row.start, row.positional)
+        _parameter(row.keyword, row.start, row.positional)
         for row in sorted(INPUTS, key=lambda row: not row.positional)
     ]
     function.__signature__ = Signature(
         [found["self"], *rows, *(found[name] for name in ("penetration", "side", "outputs", "processes")
                                  if name in found)]
     )
-    _fill(function, "{inputs}", [f"        {row.name} : {row.meaning} [{row.unit}]." for row in INPUTS])
+    _fill(function, "{inputs}", [f"        {row.keyword} : {row.meaning} [{row.unit}]." for row in INPUTS])
 
 
 def describe_parameters(system):

@@ -9,6 +9,18 @@ SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 2
 #: Where the contact determines it, an input of this kind is not read.
 DERIVED = "in other contact modes it follows from contact with both rails, and this input is not read"
 
+
+def _rail(side):
+    """How fast a rail moves."""
+    def row(part, unit, nominal, meaning, limit):
+        return Input(f"{side}.rail_{part}_velocity", unit, nominal, f"Velocity of the {side} rail, {meaning}",
+                     -limit, limit, limited=True, field=f"{side}_rail_{part}_velocity")
+
+    return (row("lateral", "m/s", 0.01, "to the right", VELOCITY_LIMIT),
+            row("vertical", "m/s", 0.01, "down", VELOCITY_LIMIT),
+            row("roll", "rad/s", 0.1, "rotation about its highest point, right side down", RATE_LIMIT))
+
+
 MOTION = (
     Input("speed", "m/s", 10.0, "Speed along the track; no creepages are computed where it and wheel_rate "
           "are zero", -SPEED_LIMIT, SPEED_LIMIT, limited=True),
@@ -27,4 +39,5 @@ MOTION = (
           "means wheels that do not turn", 0.0, 1.0, start=1.0, switch=True),
     Input("track_curvature", "1/m", 1e-3, "Curvature of the track, 1 / radius, positive in a curve to the "
           "right", -CURVATURE_LIMIT, CURVATURE_LIMIT, limited=True),
+    *(row for side in ("left", "right") for row in _rail(side)),
 )

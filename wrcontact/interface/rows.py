@@ -58,6 +58,11 @@ class Input(Row):
     limited: bool = False
     switch: bool = False
 
+    @property
+    def keyword(self):
+        """Its name as an argument in Python, where a dot is an underscore."""
+        return self.name.replace(".", "_")
+
 
 @dataclass(frozen=True)
 class Output(Row):

@@ -19,6 +19,10 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     roll__place_both(work, tables, roll);
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
+    if (damping__is_damped(tables) == INT64_C(1))
+    {
+        moving__open_given_motion(tables, work);
+    }
     status = layout__VALID;
     if (roll__search_both(work, tables, state, compliant__follow_starts(tables, work, state)) == INT64_C(0))
     {

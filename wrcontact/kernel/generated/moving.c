@@ -17,18 +17,24 @@ static inline int64_t moving__is_rolling(array_double_1d work)
     return rolling;
 }
 
+/* The motion as the inputs give it, at the pose of the outputs. */
+static inline int64_t moving__open_given_motion(array_double_1d tables, array_double_1d work)
+{
+    wheelset_motion__open_motion(work, tables);
+    wheelset_motion__open_rails(work, tables);
+    wheelset_motion__set_rates(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
+    return INT64_C(0);
+}
+
 /* Creepages of all patches in the outputs; in compliant contact vertical velocity and roll rate are
  * given, otherwise they follow from contact with both rails.
  */
 static inline int64_t moving__write_creepages(array_double_1d tables, array_double_1d work)
 {
+    int64_t index;
     double vertical;
     double roll_rate;
-    int64_t index;
-    wheelset_motion__open_motion(work, tables);
-    wheelset_motion__open_rails(work, tables);
-    vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY));
-    roll_rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
+    moving__open_given_motion(tables, work);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -36,8 +42,8 @@ static inline int64_t moving__write_creepages(array_double_1d tables, array_doub
             moving__constrain_side(tables, work, index);
         }
         contact_rates__contact_rates(&vertical, &roll_rate, work);
+        wheelset_motion__set_rates(work, vertical, roll_rate);
     }
-    wheelset_motion__set_rates(work, vertical, roll_rate);
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         creepage__write_side_creepages(work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)));

@@ -5,20 +5,24 @@
 
 #include "tangent_moving.h"
 
+/* Tangent of ``open_given_motion``. */
+static inline int64_t tangent_moving__open_given_motion_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+{
+    tangent_wheelset_motion__open_motion_t(work, work_t, tables);
+    tangent_wheelset_motion__open_rails_t(work, work_t, tables);
+    tangent_wheelset_motion__set_rates_t(work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
+    return INT64_C(0);
+}
+
 /* Tangent of ``write_creepages``. */
 static inline int64_t tangent_moving__write_creepages_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
-    double vertical_t;
-    double vertical;
-    double roll_rate_t;
-    double roll_rate;
     int64_t index;
-    tangent_wheelset_motion__open_motion_t(work, work_t, tables);
-    tangent_wheelset_motion__open_rails_t(work, work_t, tables);
-    vertical_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY));
-    vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY));
-    roll_rate_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
-    roll_rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
+    double vertical;
+    double vertical_t;
+    double roll_rate;
+    double roll_rate_t;
+    tangent_moving__open_given_motion_t(tables, work, work_t);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -26,8 +30,8 @@ static inline int64_t tangent_moving__write_creepages_t(array_double_1d tables, 
             tangent_moving__constrain_side_t(tables, work, work_t, index);
         }
         tangent_contact_rates__contact_rates_t(&vertical, &vertical_t, &roll_rate, &roll_rate_t, work, work_t);
+        tangent_wheelset_motion__set_rates_t(work, work_t, vertical, vertical_t, roll_rate, roll_rate_t);
     }
-    tangent_wheelset_motion__set_rates_t(work, work_t, vertical, vertical_t, roll_rate, roll_rate_t);
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_creepage__write_side_creepages_t(work, work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)), 0.0);

@@ -68,22 +68,28 @@ static inline int64_t tangent_wheelset_motion__open_motion_t(array_double_1d wor
 /* Tangent of ``open_rails``. */
 static inline int64_t tangent_wheelset_motion__open_rails_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
-    int64_t index;
-    int64_t rail;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        rail = layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * index;
-        (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = 0.0;
-        (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = 0.0;
-        (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = 0.0;
-        (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-        (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = 0.0;
-    }
+    int64_t right;
+    right = layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * INT64_C(1);
+    (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Y)) = 0.0;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Y)) = -(*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Z)) = 0.0;
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Z)) = 0.0;
+    (*cspan_at(&work_t, right + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work_t, right + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work_t, right + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work_t, right + layout__RAIL_MOTION_Y)) = 0.0;
+    (*cspan_at(&work, right + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    (*cspan_at(&work_t, right + layout__RAIL_MOTION_Z)) = 0.0;
+    (*cspan_at(&work, right + layout__RAIL_MOTION_Z)) = 0.0;
     return INT64_C(0);
 }
 

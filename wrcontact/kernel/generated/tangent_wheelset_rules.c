@@ -177,6 +177,10 @@ static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
+    if (damping__is_damped(tables) == INT64_C(1))
+    {
+        tangent_moving__open_given_motion_t(tables, work, work_t);
+    }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);

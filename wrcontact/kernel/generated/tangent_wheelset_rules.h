@@ -7,6 +7,7 @@
 #define WRCONTACT_KERNEL_TANGENT_WHEELSET_RULES_H
 
 #include "../native/spans.h"
+#include "damping.h"
 #include "elastic.h"
 #include "layout.h"
 #include "moving.h"

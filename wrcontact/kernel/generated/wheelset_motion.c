@@ -29,6 +29,26 @@ static inline int64_t wheelset_motion__is_moderate(array_double_1d work)
     {
         moderate = INT64_C(0);
     }
+    if (wheelset_motion__is_rail_moderate((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))) == INT64_C(0))
+    {
+        moderate = INT64_C(0);
+    }
+    if (wheelset_motion__is_rail_moderate((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))) == INT64_C(0))
+    {
+        moderate = INT64_C(0);
+    }
+    return moderate;
+}
+
+/* 1 if no velocity of a rail [m/s, rad/s] is beyond its limit, else 0. */
+static inline int64_t wheelset_motion__is_rail_moderate(double lateral, double vertical, double roll)
+{
+    int64_t moderate;
+    moderate = INT64_C(1);
+    if ((fabs(lateral) > layout__VELOCITY_LIMIT) || (fabs(vertical) > layout__VELOCITY_LIMIT) || (fabs(roll) > layout__RATE_LIMIT))
+    {
+        moderate = INT64_C(0);
+    }
     return moderate;
 }
 
@@ -70,20 +90,21 @@ static inline int64_t wheelset_motion__open_motion(array_double_1d work, array_d
     return INT64_C(0);
 }
 
-/* The rails stand still. */
+/* What the inputs say of the rails, which roll about their highest points. */
 static inline int64_t wheelset_motion__open_rails(array_double_1d work, array_double_1d tables)
 {
-    int64_t index;
-    int64_t rail;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        rail = layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * index;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = 0.0;
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-        (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = 0.0;
-    }
+    int64_t right;
+    right = layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_SIZE * INT64_C(1);
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Y)) = -(*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_RAILS + layout__RAIL_MOTION_Z)) = 0.0;
+    (*cspan_at(&work, right + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    (*cspan_at(&work, right + layout__RAIL_MOTION_Z)) = 0.0;
     return INT64_C(0);
 }
 

@@ -12,6 +12,7 @@
 #include "../native/spans.h"
 #include "layout.h"
 
+static inline int64_t wheelset_motion__is_rail_moderate(double lateral, double vertical, double roll);
 static inline int64_t wheelset_motion__is_moderate(array_double_1d work);
 static inline double wheelset_motion__rolling_rate(array_double_1d work, array_double_1d tables);
 static inline int64_t wheelset_motion__open_motion(array_double_1d work, array_double_1d tables);

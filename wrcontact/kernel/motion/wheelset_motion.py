@@ -30,6 +30,20 @@ def is_moderate(inputs: Inputs):
         moderate = 0
     if fabs(inputs.track_curvature) > CURVATURE_LIMIT:
         moderate = 0
+    if is_rail_moderate(inputs.left_rail_lateral_velocity, inputs.left_rail_vertical_velocity,
+                        inputs.left_rail_roll_velocity) == 0:
+        moderate = 0
+    if is_rail_moderate(inputs.right_rail_lateral_velocity, inputs.right_rail_vertical_velocity,
+                        inputs.right_rail_roll_velocity) == 0:
+        moderate = 0
+    return moderate
+
+
+def is_rail_moderate(lateral: float, vertical: float, roll: float):
+    """1 if no velocity of a rail [m/s, rad/s] is beyond its limit, else 0."""
+    moderate = 1
+    if fabs(lateral) > VELOCITY_LIMIT or fabs(vertical) > VELOCITY_LIMIT or fabs(roll) > RATE_LIMIT:
+        moderate = 0
     return moderate
 
 
@@ -61,15 +75,20 @@ def open_motion(tables: Tables, motion: Motion, inputs: Inputs, outputs: Outputs
     return 0
 
 
-def open_rails(tables: Tables, motion: Motion):
-    """The rails stand still."""
-    for index in range(2):
-        rail = motion.rails[index]
-        rail.lateral = 0.0
-        rail.vertical = 0.0
-        rail.roll = 0.0
-        rail.y = float(2 * index - 1) * tables.rail_y
-        rail.z = 0.0
+def open_rails(tables: Tables, motion: Motion, inputs: Inputs):
+    """What the inputs say of the rails, which roll about their highest points."""
+    left = motion.rails[0]
+    right = motion.rails[1]
+    left.lateral = inputs.left_rail_lateral_velocity
+    left.vertical = inputs.left_rail_vertical_velocity
+    left.roll = inputs.left_rail_roll_velocity
+    left.y = -tables.rail_y
+    left.z = 0.0
+    right.lateral = inputs.right_rail_lateral_velocity
+    right.vertical = inputs.right_rail_vertical_velocity
+    right.roll = inputs.right_rail_roll_velocity
+    right.y = tables.rail_y
+    right.z = 0.0
     return 0
 
 

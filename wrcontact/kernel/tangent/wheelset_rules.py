@@ -19,8 +19,9 @@ from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, turn_wheelset
 from ..wheelset.compliant import load_at_height
+from ..wheelset.damping import is_damped
 from ..wheelset.elastic import UNBALANCED
-from ..wheelset.moving import is_rolling, write_creepages
+from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
 from ..wheelset.rigid import solve_rigid
@@ -117,6 +118,8 @@ def follow_compliant(tables: Tables, work: Work, state: State):
     place_moving(tables, work, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
+    if is_damped(tables) == 1:
+        open_given_motion(tables, work)
     for index in range(2):
         follow_minimum(tables, work, index)
         load_at_height(tables, work, state, index, height)

@@ -14,19 +14,24 @@ def is_rolling(inputs: Inputs):
     return rolling
 
 
+def open_given_motion(tables: Tables, work: Work):
+    """The motion as the inputs give it, at the pose of the outputs."""
+    open_motion(tables, work.motion, work.inputs, work.outputs)
+    open_rails(tables, work.motion, work.inputs)
+    set_rates(work.motion, work.inputs, work.inputs.vertical_velocity, work.inputs.roll_rate)
+    return 0
+
+
 def write_creepages(tables: Tables, work: Work):
     """Creepages of all patches in the outputs; in compliant contact vertical velocity and roll rate are
     given, otherwise they follow from contact with both rails."""
     motion = work.motion
-    open_motion(tables, motion, work.inputs, work.outputs)
-    open_rails(tables, motion)
-    vertical = work.inputs.vertical_velocity
-    roll_rate = work.inputs.roll_rate
+    open_given_motion(tables, work)
     if tables.mode != MODE_COMPLIANT:
         for index in range(2):
             constrain_side(tables, work, index)
         vertical, roll_rate = contact_rates(motion, work.inputs)
-    set_rates(motion, work.inputs, vertical, roll_rate)
+        set_rates(motion, work.inputs, vertical, roll_rate)
     for index in range(2):
         write_side_creepages(motion, motion.rails[index], work.outputs.left[index], float(2 * index - 1))
     return 0
