@@ -7,6 +7,7 @@ from ..interface.inputs import INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
 from ..interface.parameters import checked_parameters
 from ..interface.variables import (
     BOOLEAN,
+    EQUILIBRIUM,
     FIRST_OUTPUT,
     INTEGER,
     PARAMETER,
@@ -41,7 +42,8 @@ TYPES = {REAL: "MODEL_REAL", INTEGER: "MODEL_INTEGER", BOOLEAN: "MODEL_BOOLEAN",
 def sizes_header(token, profiles, blocks):
     """The text of model_sizes.h."""
     sizes = {
-        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "FIRST_OUTPUT": FIRST_OUTPUT,
+        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "EQUILIBRIUM": EQUILIBRIUM,
+        "FIRST_OUTPUT": FIRST_OUTPUT,
         "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
         "TOLERANCE": REFERENCE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),

@@ -13,12 +13,12 @@ DERIVED = "in other contact modes it follows from contact with both rails, and t
 def _rail(side):
     """How fast a rail moves."""
     def row(part, unit, nominal, meaning, limit):
-        return Input(f"{side}.rail_{part}_velocity", unit, nominal, f"Velocity of the {side} rail, {meaning}",
+        return Input(f"{side}.rail_{part}_velocity", unit, nominal, f"{meaning} of the rail at the wheel",
                      -limit, limit, limited=True, field=f"{side}_rail_{part}_velocity")
 
-    return (row("lateral", "m/s", 0.01, "to the right", VELOCITY_LIMIT),
-            row("vertical", "m/s", 0.01, "down", VELOCITY_LIMIT),
-            row("roll", "rad/s", 0.1, "rotation about its highest point, right side down", RATE_LIMIT))
+    return (row("lateral", "m/s", 0.01, "velocity to the right", VELOCITY_LIMIT),
+            row("vertical", "m/s", 0.01, "velocity down", VELOCITY_LIMIT),
+            row("roll", "rad/s", 0.1, "rotation about its highest point, right side down,", RATE_LIMIT))
 
 
 MOTION = (

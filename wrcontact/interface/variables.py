@@ -74,6 +74,7 @@ def _inputs():
             minimum=row.minimum,
             maximum=row.maximum,
             nominal=row.nominal,
+            place=f"{row.name.partition('.')[0].capitalize()} rail" if "." in row.name else "",
         )
 
 
@@ -154,6 +155,17 @@ def _indexed(variables):
     return [replace(variable, index=index) for index, variable in enumerate(variables)]
 
 
+def _equilibrium():
+    """Where a compliant wheelset carries its load: computed apart from a step, and only when it is read."""
+    follows = tuple(name for name in POSE if name not in ("vertical_shift_input", "roll_input"))
+    words = ("{} of the wheelset at which both wheels carry the load that the inputs give; from here a "
+             "wheelset in the contact_mode compliant starts at rest (in other modes {} itself)")
+    for name, unit, quantity in (("vertical_shift", "m", "Vertical shift"), ("roll", "rad", "Roll")):
+        low, high = (-math.pi / 2, math.pi / 2) if unit == "rad" else (None, None)
+        yield Variable(f"equilibrium.{name}", OUTPUT, words.format(quantity, name), unit=unit, minimum=low,
+                       maximum=high, nominal=1e-3, depends_on=follows)
+
+
 #: What became of a step; it is no part of the kernel's outputs.
 _STATUS = Variable(
     "status",
@@ -166,9 +178,11 @@ _STATUS = Variable(
     depends_on=ANSWERED,
 )
 
-VARIABLES = (*_indexed(_inputs()), *_parameters(), *_indexed(_outputs()), _STATUS)
+VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_outputs()), _STATUS)
 REFERENCE = {variable.name: reference for reference, variable in enumerate(VARIABLES)}
 
+#: Value reference of the first of the equilibrium's two outputs.
+EQUILIBRIUM = REFERENCE["equilibrium.vertical_shift"]
 #: Value references of the first kernel output and of the status; between them the kernel's array lies without
 #: a hole.
 FIRST_OUTPUT = REFERENCE["roll"]

@@ -20,6 +20,7 @@ import numpy as np
 from .. import status as outcomes
 from ..interface.variables import (
     BOOLEAN,
+    EQUILIBRIUM,
     FIRST_OUTPUT,
     INTEGER,
     OUTPUT,
@@ -73,6 +74,8 @@ class Session:
         self._stepper = None
         self._values = START.copy()  # by value reference; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
+        self._balanced = False  # the equilibrium is that of the inputs
+        self._balance = None  # a stepper that finds it
         self._told = False  # this step's status has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
         self._inputs = None  # the references of the last list that was set, if all are inputs
@@ -119,7 +122,7 @@ class Session:
     def initialise(self):
         """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
         if self._built_with != self.parameters:
-            self._stepper = self._build(self.parameters)
+            self._stepper, self._balance = self._build(self.parameters), None
             self._built_with = dict(self.parameters)
             self._stale = True
 
@@ -188,6 +191,8 @@ class Session:
         if self.life.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
+        if not self._balanced and any(EQUILIBRIUM <= reference < FIRST_OUTPUT for reference in references):
+            self._find_equilibrium()
         return self._values[self._places].tolist()
 
     def set_integers(self, references, values):
@@ -248,10 +253,27 @@ class Session:
         outcome = stepper.step()
         values[FIRST_OUTPUT:STATUS] = stepper.outputs
         values[STATUS] = outcome
-        self._stale = False
+        self._stale = self._balanced = False
         self.evaluations += 1
         if outcome:
             self._tell()
+
+    def _find_equilibrium(self):
+        """Height and roll at which the load is carried; where there are none the last ones stay."""
+        if self._stepper is None:
+            return
+        values, found, outcome = self._values, self._stepper.outputs, 0
+        if self.parameters["contact_mode"] == "compliant":
+            if self._balance is None:
+                self._balance = self._build({**self.parameters, "contact_mode": "elastic"})
+            self._balance.state[:] = 0.0
+            self._balance.inputs[:] = values[:INPUTS]
+            outcome, found = self._balance.step(), self._balance.outputs
+        if outcome <= outcomes.Status.UNLOADED:
+            values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
+        else:
+            self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
+        self._balanced = True
 
     def _tell(self):
         self.tell(outcomes.explain(self.status, self._values[:INPUTS],
@@ -269,6 +291,7 @@ class Session:
             "built": stepper is not None,
             "life": self.life.saved(),
             "stale": self._stale,
+            "balanced": self._balanced,
             "told": self._told,
         }
         arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs,
@@ -288,10 +311,12 @@ class Session:
                           "present state is kept")
         for array in arrays:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
+        if stepper is not self._stepper:
+            self._balance = None
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
         self.life = Life(*header["life"])
-        self._stale, self._told = header["stale"], header["told"]
+        self._stale, self._told, self._balanced = header["stale"], header["told"], header["balanced"]
 
     def _stepper_for(self, header):
         """The stepper for a snapshot: the present one if the parameters are equal, otherwise a new one."""
@@ -321,7 +346,7 @@ def _place(reference, type):
 def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
-        if reference >= FIRST_OUTPUT:
+        if reference >= EQUILIBRIUM:
             raise Refused(f"{VARIABLES[reference].name} is an output and cannot be read before the "
                           "initialisation")
 
