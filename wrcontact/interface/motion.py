@@ -13,12 +13,13 @@ DERIVED = "in other contact modes it follows from contact with both rails, and t
 def _rail(side):
     """How fast a rail moves."""
     def row(part, unit, nominal, meaning, limit):
-        return Input(f"{side}.rail_{part}_velocity", unit, nominal, f"{meaning} of the rail at the wheel",
+        return Input(f"{side}.rail_{part}_velocity", unit, nominal, meaning,
                      -limit, limit, limited=True, field=f"{side}_rail_{part}_velocity")
 
-    return (row("lateral", "m/s", 0.01, "velocity to the right", VELOCITY_LIMIT),
-            row("vertical", "m/s", 0.01, "velocity down", VELOCITY_LIMIT),
-            row("roll", "rad/s", 0.1, "rotation about its highest point, right side down,", RATE_LIMIT))
+    return (row("lateral", "m/s", 0.01, "velocity of the rail to the right", VELOCITY_LIMIT),
+            row("vertical", "m/s", 0.01, "velocity of the rail down", VELOCITY_LIMIT),
+            row("roll", "rad/s", 0.1, "rotation of the rail about its highest point, right side down",
+                RATE_LIMIT))
 
 
 MOTION = (
