@@ -102,7 +102,9 @@ def attributes_of(variable, starts):
 
 
 def number_text(value):
-    """A number so that it is read back exactly; text as it is."""
+    """A number so that it is read back exactly; a Boolean as XML has it; text as it is."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
     return repr(value) if isinstance(value, float) else str(value)
 
 

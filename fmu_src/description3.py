@@ -3,7 +3,7 @@
 import re
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from ..interface.variables import INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
+from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
 from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, unit_definitions
 
@@ -18,7 +18,7 @@ CAPABILITIES = {
     "canHandleVariableCommunicationStepSize": "true",
 }
 
-TYPES = {REAL: "Float64", INTEGER: "Int32", STRING: "String"}
+TYPES = {REAL: "Float64", INTEGER: "Int32", BOOLEAN: "Boolean", STRING: "String"}
 FIRST_STATION = re.compile(r"(.*\.(?:station|half_length|pressure))\[1\]")
 TIME, STATIONS = -1, -2     # places of the two that are not in the table
 STATIONS_REFERENCE = 2      # its value reference: it stands before the arrays that it sizes

@@ -53,12 +53,18 @@ positive towards the flange.</p>
 the axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
 <code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: the force of each patch has the direction of its normal.</p>
 
+<p><code>creepage.x</code>, <code>creepage.y</code> and <code>creepage.spin</code> of a patch are the velocity of the wheel
+against the rail forward and to the left in the plane of the patch, and its rotation about the normal from the rail to the
+wheel, over the mean of the speed and the speed of the wheel's circumference. Velocities are inputs; in rigid and elastic
+contact the vertical velocity and the roll rate follow from contact with both rails. Without <code>speed</code> and
+<code>wheel_rate</code> there are no creepages.</p>
+
 <h2>Contact modes</h2>
 <p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
 wheel is pressed along its normal there. Elastic: the wheels approach the rails until each carries its load, which gives
 height and roll; for a small load this is the rigid pose. Compliant: height and roll are the inputs
 <code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from the penetration of each wheel;
-<code>normal_force</code> and <code>load_transfer</code> are not used, and a wheelset with mass can be driven by the outputs
+<code>normal_force</code> and <code>load_transfer</code> are used for the equilibrium only, and a wheelset with mass can be driven by the outputs
 <code>force</code> and <code>moment</code>. Inputs that a mode does not use may have any permitted value.
 <code>load</code> says what <code>normal_force</code> is: the sum over the patches of a wheel, or the vertical component of
 their resultant.</p>

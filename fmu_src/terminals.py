@@ -4,13 +4,15 @@ from pathlib import Path
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from ..conventions import SIDES
-from ..interface.variables import OUTPUT, VARIABLES
+from ..interface.motion import MOTION as MOTION_INPUTS
+from ..interface.variables import INPUT, OUTPUT, VARIABLES
 
 FOLDER = Path(__file__).resolve().parent
 
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
         "yaw": "yaw", "roll_guess": "roll_guess"}
+MOTION = {row.name: row.name for row in MOTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 
 
@@ -47,15 +49,18 @@ def terminals(names):
     """(kind, meaning, variables by their name in a connection) of each terminal, by name."""
     whole = [variable.name for variable in VARIABLES if variable.causality == OUTPUT
              and not variable.name.startswith(SIDES)]
+    inputs = {variable.name for variable in VARIABLES if variable.causality == INPUT}
     groups = {
         "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too",
                  POSE),
         "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
+        "motion": ("motion", "How the wheelset and its rails move", MOTION),
         "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
                      {name: name for name in whole}),
     }
     for side in SIDES:
-        of_side = [name.removeprefix(f"{side}.") for name in names if name.startswith(f"{side}.")]
+        of_side = [name.removeprefix(f"{side}.") for name in names if name.startswith(f"{side}.")
+                   and name not in inputs]
         groups[side] = ("contact", f"Contact of the {side} wheel",
                         {name: f"{side}.{name}" for name in of_side})
     return groups

@@ -56,10 +56,10 @@ class WheelsetContact(Fmi2Slave):
         self._do(self.session.set_strings, vrs, values)
 
     def get_boolean(self, vrs):
-        return self._do(self.session.refuse_booleans, vrs) or [False] * len(vrs)
+        return self._do(self.session.get_booleans, vrs) or [False] * len(vrs)
 
     def set_boolean(self, vrs, values):
-        self._do(self.session.refuse_booleans, vrs)
+        self._do(self.session.set_booleans, vrs, values)
 
     def _get_fmu_state(self):
         return self._do(self.session.snapshot) or b""

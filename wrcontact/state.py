@@ -3,6 +3,8 @@
 Names, units and words of the properties are those of the rows in wrcontact/interface/outputs.py.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from .interface import outputs as table
@@ -219,6 +221,18 @@ class Side(_View):
         return Outline(self._values, outline_offset(self._values, self._offset))
 
 
+class Equilibrium(NamedTuple):
+    """Height and roll of a wheelset at which both wheels carry their loads.
+
+    vertical_shift [m], roll [rad] : NaN where there are none; (n,) of a table.
+    status : that of the elastic wheelset that stands there.
+    """
+
+    vertical_shift: float
+    roll: float
+    status: int
+
+
 @_named(table.WHEELSET, layout.Outputs)
 class WheelsetState(_View):
     """Result of an evaluation.
@@ -233,16 +247,17 @@ class WheelsetState(_View):
     values : the kernel's outputs, likewise.
     """
 
-    __slots__ = ("values", "status", "inputs", "_places")
+    __slots__ = ("values", "status", "inputs", "_places", "_system", "_equilibrium")
     _members = ("left", "right")
 
-    def __init__(self, values, status, inputs, kept=None, width=None):
+    def __init__(self, values, status, inputs, kept=None, width=None, system=None):
         """``kept`` are the places of the columns of ``values`` in the kernel's outputs, of which there are
-        ``width``; None for all."""
+        ``width``; None for all.  ``system`` finds the equilibrium."""
         self.values = values
         self.status = status
         self.inputs = inputs
         self._places = kept
+        self._system, self._equilibrium = system, None
         super().__init__(values if kept is None else Kept(values, kept, width), 0)
 
     @property
@@ -254,6 +269,15 @@ class WheelsetState(_View):
     def right(self):
         """The right wheel."""
         return Side(self._values, layout.OUT_RIGHT)
+
+    @property
+    def equilibrium(self):
+        """Where both wheels carry the load of the inputs, an :class:`Equilibrium`; found when it is asked for
+        first.  A compliant wheelset starts at rest from there; in other modes it is where it stands."""
+        if self._equilibrium is None:
+            self._equilibrium = (Equilibrium(self.vertical_shift, self.roll, self.status)
+                                 if self._system is None else self._system.find_equilibrium(self.inputs))
+        return self._equilibrium
 
     @property
     def names(self):
@@ -272,14 +296,16 @@ class WheelsetState(_View):
             raise TypeError(f"the state of one pose has no row {key!r}; permitted are names of outputs")
         if np.ndim(key) == 0 and not isinstance(key, slice):
             values = self.values[key] if self._places is None else self._values.row(key)
-            return WheelsetState(values, Status(int(self.status[key])), self.inputs[key])
+            return WheelsetState(values, Status(int(self.status[key])), self.inputs[key], system=self._system)
         return WheelsetState(self.values[key], self.status[key], self.inputs[key], self._places,
-                             self._values.shape[-1])
+                             self._values.shape[-1], self._system)
 
     def _named(self, name):
         """The output or input of this name."""
         if name == "status":
             return self.status
+        if name.startswith("equilibrium."):
+            return getattr(self.equilibrium, name.partition(".")[2])
         if name in INPUT_NAMES:
             return _number(self.inputs[..., INPUT_NAMES.index(name)])
         place = output_places(self._values.shape[-1]).get(name)

@@ -3,7 +3,7 @@
 import math
 from enum import IntEnum
 
-from .interface.inputs import INPUT_NAMES, INPUT_UNITS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from .interface.inputs import INPUT_NAMES, INPUT_UNITS, INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
 from .interface.rails import RAIL_LIMIT, RAILS
 from .kernel import layout
 from .kernel.wheelset.trial import DEEPEST
@@ -130,6 +130,9 @@ def _invalid_input(said):
     for name in INPUT_NAMES:
         if not math.isfinite(said.inputs[name]):
             return f"{said.equals(name)}; permitted are finite numbers"
+    for row in INPUTS:
+        if row.limited and abs(said.inputs[row.name]) > row.maximum:
+            return said.beyond(row.name, row.maximum)
     if said.inputs["normal_force"] < 0.0:
         return (f"{said.equals('normal_force', 0.0)}; permitted is {said.name('normal_force')} >= "
                 f"{said.terms.value('normal_force', 0.0)}")

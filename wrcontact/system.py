@@ -20,13 +20,14 @@ from .interface.calls import (
     warn_of_inputs,
     wrong_input,
 )
+from .interface.inputs import INPUTS
 from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, warn_of_parameters
 from .kernel import layout
 from .kernel.binding.setup import prepare_sides
 from .methods import Halfspace
 from .profiles.find import find_profile
 from .results.columns import selected
-from .state import WheelsetState
+from .state import Equilibrium, WheelsetState
 from .status import Status
 from .stepper import Stepper
 
@@ -74,6 +75,7 @@ class ContactSystem:
         self.wheel, self.rail, self.left_wheel, self.left_rail = self._find_profiles(smoothing)
         self._tables, self._left_tables = self._prepare()
         self._own = threading.local()
+        self._elastic = None            # the same wheelset in elastic contact, once it is needed
 
     def _prepare(self):
         both = prepare_sides((self.wheel, self.rail), (self.left_wheel, self.left_rail),
@@ -187,7 +189,7 @@ class ContactSystem:
         found = stepper.outputs.copy()
         if status > Status.UNLOADED:
             found[:] = math.nan
-        return WheelsetState(found, status, stepper.inputs.copy())
+        return WheelsetState(found, status, stepper.inputs.copy(), system=self._balancing())
 
     def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
@@ -218,7 +220,7 @@ class ContactSystem:
             for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
                 values[part], status[part] = found, outcome
                 advance(len(found))
-        return WheelsetState(values, status, rows, wanted.places, width)
+        return WheelsetState(values, status, rows, wanted.places, width, self._balancing())
 
     def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
                        **inputs):
@@ -227,7 +229,24 @@ class ContactSystem:
         check_processes(processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
         for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
-            yield WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs))
+            yield WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs),
+                                self._balancing())
+
+    def _balancing(self):
+        """What finds the equilibrium of a state: this system, if it is compliant, else None."""
+        return self if self.parameters["contact_mode"] == "compliant" else None
+
+    def find_equilibrium(self, inputs):
+        """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
+        :class:`~wrcontact.state.Equilibrium`."""
+        if self._elastic is None:
+            self._elastic = type(self)(**{**self.parameters, "contact_mode": "elastic"})
+        rows = np.atleast_2d(inputs)
+        found = self._elastic.evaluate_many(outputs=["vertical_shift", "roll"],
+                                            **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)})
+        if np.ndim(inputs) > 1:
+            return Equilibrium(found.vertical_shift, found.roll, found.status)
+        return Equilibrium(float(found.vertical_shift[0]), float(found.roll[0]), Status(int(found.status[0])))
 
     def _parts(self, stepper, rows, places, processes):
         """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows."""

@@ -18,6 +18,16 @@ static int check_list(instance *self, const char *function, const fmi2ValueRefer
     return refused;
 }
 
+/* Bring the outputs up to date, and the equilibrium if it is in a list. */
+static int refresh(instance *self, const fmi2ValueReference references[], size_t count)
+{
+    const int refused = wheelset_refresh(self->wheelset);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        if (wheelset_is_equilibrium(references[i]))
+            wheelset_find_equilibrium(self->wheelset);
+    return refused;
+}
+
 /* A function that reads values of one type; `REFUSED` brings them up to date, `VALUE` is that of `reference`. */
 #define GET(NAME, C_TYPE, TYPE, REFUSED, VALUE)                                                                    \
     fmi2Status NAME(fmi2Component component, const fmi2ValueReference references[], size_t count, C_TYPE values[]) \
@@ -35,15 +45,11 @@ static int check_list(instance *self, const char *function, const fmi2ValueRefer
         return fmi2OK;                                                                                             \
     }
 
-GET(fmi2GetReal, fmi2Real, MODEL_REAL, wheelset_refresh(self->wheelset), self->wheelset->core.values[reference])
+GET(fmi2GetReal, fmi2Real, MODEL_REAL, refresh(self, references, count), self->wheelset->core.values[reference])
 GET(fmi2GetInteger, fmi2Integer, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, reference))
 GET(fmi2GetString, fmi2String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[reference].slot])
 
-fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Boolean values[])
-{
-    (void)references, (void)values;
-    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2GetBoolean", "there are no Booleans");
-}
+GET(fmi2GetBoolean, fmi2Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[reference] != 0.0)
 
 /* A function that sets values of one type, all of them or none: `REFUSED` is whether the value
  * of place `i` cannot be set, `APPLY` sets it. */
@@ -66,13 +72,8 @@ SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, references[i], 
 SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, references[i]), (void)0)
 SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, references[i], values[i]),
     wheelset_set_string(self->wheelset, references[i], values[i]))
-
-fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count,
-                          const fmi2Boolean values[])
-{
-    (void)references, (void)values;
-    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2SetBoolean", "there are no Booleans");
-}
+SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, references[i]),
+    wheelset_set_real(self->wheelset, references[i], values[i] ? 1.0 : 0.0))
 
 /* --- directional derivatives ------------------------------------------------------------------------ */
 
@@ -81,23 +82,27 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
                                         fmi2Real sensitivity[])
 {
     instance *self = component;
-    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    double along[MODEL_INPUTS] = {0.0}, rates[RATES];
+    bool equilibrium = false;
     if (!self)
         return fmi2Error;
     if ((unknown_count > 0 && (!unknowns || !sensitivity)) || (known_count > 0 && (!knowns || !seed)))
         return fmi2_refuse(self, "fmi2GetDirectionalDerivative", "a list is a NULL pointer");
     for (size_t i = 0; i < unknown_count; i += 1)
+    {
         if (wheelset_check_unknown(self->wheelset, unknowns[i]))
             return fmi2_answer(self, 1);
+        equilibrium = equilibrium || wheelset_is_equilibrium(unknowns[i]);
+    }
     for (size_t i = 0; i < known_count; i += 1)
     {
         if (wheelset_check_known(self->wheelset, knowns[i]))
             return fmi2_answer(self, 1);
         along[knowns[i]] += seed[i];
     }
-    if (wheelset_differentiate(self->wheelset, along, rates))
+    if (wheelset_differentiate(self->wheelset, along, equilibrium, rates))
         return fmi2_answer(self, 1);
     for (size_t i = 0; i < unknown_count; i += 1)
-        sensitivity[i] = rates[unknowns[i] - MODEL_FIRST_OUTPUT];
+        sensitivity[i] = rates[wheelset_rate_of(unknowns[i])];
     return fmi2OK;
 }

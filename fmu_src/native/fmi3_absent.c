@@ -22,7 +22,6 @@ NO_VALUES(Int16, fmi3Int16)
 NO_VALUES(UInt16, fmi3UInt16)
 NO_VALUES(UInt32, fmi3UInt32)
 NO_VALUES(Int64, fmi3Int64)
-NO_VALUES(Boolean, fmi3Boolean)
 
 /* A function of FMI 3 that this FMU declares no capability for. */
 #define NOT_HERE(NAME, REASON, ...)                                 \

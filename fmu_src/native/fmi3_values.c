@@ -23,9 +23,17 @@ static const double *block_values(const instance *self, const model_block *block
     return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
 }
 
-/* Where the values of an output begin in the kernel's row. */
+/* Whether a variable is computed only when it is read. */
+static bool is_equilibrium(const model_block *block)
+{
+    return block->first >= 0 && wheelset_is_equilibrium((uint32_t)block->first);
+}
+
+/* Where the rates of an output begin: in the kernel's row, or behind it. */
 static size_t place_in_row(const instance *self, const model_block *block)
 {
+    if (is_equilibrium(block))
+        return wheelset_rate_of((uint32_t)block->first);
     return (size_t)(block_values(self, block) - (self->wheelset->core.values + MODEL_FIRST_OUTPUT));
 }
 
@@ -92,6 +100,8 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     for (size_t i = 0; i < count; i += 1)
     {
         const model_block *block = model_blocks + references[i];
+        if (is_equilibrium(block))
+            wheelset_find_equilibrium(self->wheelset);
         const double *from = block_values(self, block);
         for (size_t k = block_size(self, block); k > 0; k -= 1)
             *values++ = *from++;
@@ -119,6 +129,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     }
 
 GET(fmi3GetInt32, fmi3Int32, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, (uint32_t)FIRST))
+GET(fmi3GetBoolean, fmi3Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[FIRST] != 0.0)
 GET(fmi3GetUInt64, fmi3UInt64, MODEL_UNSIGNED, 0, self->wheelset->core.stations)
 GET(fmi3GetString, fmi3String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[FIRST].slot])
 
@@ -150,6 +161,8 @@ static int may_set_float(instance *self, int first, double value)
 SET(fmi3SetFloat64, fmi3Float64, MODEL_REAL, may_set_float(self, FIRST, values[i]),
     wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i]))
 SET(fmi3SetInt32, fmi3Int32, MODEL_INTEGER, wheelset_may_set_integer(self->wheelset, (uint32_t)FIRST), (void)0)
+SET(fmi3SetBoolean, fmi3Boolean, MODEL_BOOLEAN, wheelset_may_set_boolean(self->wheelset, (uint32_t)FIRST),
+    wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i] ? 1.0 : 0.0))
 SET(fmi3SetUInt64, fmi3UInt64, MODEL_UNSIGNED, wheelset_set_stations(self->wheelset, values[i]), (void)0)
 SET(fmi3SetString, fmi3String, MODEL_STRING, wheelset_may_set_string(self->wheelset, (uint32_t)FIRST, values[i]),
     wheelset_set_string(self->wheelset, (uint32_t)FIRST, values[i]))
@@ -186,7 +199,8 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list u
 {
     static const char NAME[] = "fmi3GetDirectionalDerivative";
     instance *self = component;
-    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    double along[MODEL_INPUTS] = {0.0}, rates[RATES];
+    bool equilibrium = false;
     if (!self)
         return fmi3Error;
     if (check_derivative(self, NAME, unknowns, unknown_count, sensitivity, sensitivity_count, wheelset_check_unknown)
@@ -194,7 +208,9 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list u
         return fmi3_answer(self, 1);
     for (size_t i = 0; i < known_count; i += 1)
         along[model_blocks[knowns[i]].first] += seed[i];
-    if (wheelset_differentiate(self->wheelset, along, rates))
+    for (size_t i = 0; i < unknown_count; i += 1)
+        equilibrium = equilibrium || is_equilibrium(model_blocks + unknowns[i]);
+    if (wheelset_differentiate(self->wheelset, along, equilibrium, rates))
         return fmi3_answer(self, 1);
     for (size_t i = 0; i < unknown_count; i += 1)
     {
@@ -212,7 +228,8 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unkno
 {
     static const char NAME[] = "fmi3GetAdjointDerivative";
     instance *self = component;
-    double weights[ROW] = {0.0}, rates[ROW], sums[MODEL_INPUTS] = {0.0};
+    double weights[RATES] = {0.0}, rates[RATES], sums[MODEL_INPUTS] = {0.0};
+    bool equilibrium = false;
     if (!self)
         return fmi3Error;
     if (check_derivative(self, NAME, unknowns, unknown_count, seed, seed_count, wheelset_check_unknown)
@@ -222,6 +239,7 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unkno
     {
         const model_block *block = model_blocks + unknowns[i];
         double *weight = weights + place_in_row(self, block);
+        equilibrium = equilibrium || is_equilibrium(block);
         for (size_t k = 0; k < block_size(self, block); k += 1)
             weight[k] += *seed++;
     }
@@ -229,10 +247,10 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unkno
     {
         double along[MODEL_INPUTS] = {0.0}, *sum = sums + model_blocks[knowns[i]].first;
         along[model_blocks[knowns[i]].first] = 1.0;
-        if (wheelset_differentiate(self->wheelset, along, rates))
+        if (wheelset_differentiate(self->wheelset, along, equilibrium, rates))
             return fmi3_answer(self, 1);
         *sum = 0.0;
-        for (int k = 0; k < ROW; k += 1)
+        for (int k = 0; k < RATES; k += 1)
             *sum += weights[k] * rates[k];
     }
     for (size_t i = 0; i < known_count; i += 1)

@@ -7,7 +7,8 @@
 #include "model_sizes.h"
 
 typedef enum { MODEL_INPUT, MODEL_PARAMETER, MODEL_OUTPUT } model_causality;
-typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_STRING, MODEL_UNSIGNED } model_type;     /* the last one in FMI 3 only */
+/* The last one in FMI 3 only. */
+typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_BOOLEAN, MODEL_STRING, MODEL_UNSIGNED } model_type;
 
 /* A method as the user names it and as the kernel numbers it. */
 typedef struct {
@@ -22,7 +23,7 @@ typedef struct {
     model_causality causality;
     const char *unit;           /* with a space before it, "" without one */
     double start;
-    double low, high;               /* permitted range of a numeric parameter */
+    double low, high;               /* permitted range of a numeric parameter, or of an input; 0, 0 without one */
     int setup;                      /* its place in the kernel's setup, or -1 */
     int slot;                       /* of a String: its place among the Strings, or -1 */
     const char *text;               /* and its start */

@@ -92,6 +92,14 @@ static void invalid_input(const double *inputs, char *text, size_t size)
                      sentence_shortest(inputs[i], number, sizeof number), model_variables[i].unit);
             return;
         }
+    for (int i = 0; i < MODEL_INPUTS; i += 1)
+        if (model_variables[i].high > 0.0 && fabs(inputs[i]) > model_variables[i].high)
+        {
+            const char *name = model_variables[i].name, *unit = model_variables[i].unit;
+            snprintf(text, size, "%s is %s%s; permitted is |%s| <= %s%s", name, SIX_DIGITS(inputs[i]), unit, name,
+                     SIX_DIGITS(model_variables[i].high), unit);
+            return;
+        }
     if (inputs[layout__IN_NORMAL_FORCE] < 0.0)
         snprintf(text, size, "normal_force is %s N; permitted is normal_force >= 0 N",
                  SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]));

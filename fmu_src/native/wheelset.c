@@ -26,11 +26,15 @@ int wheelset_refuse(wheelset *self, const char *format, ...)
     return 1;
 }
 
+static bool is_compliant(const wheelset *self)
+{
+    return strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
+}
+
 static void tell_status(wheelset *self)
 {
     char sentence[MODEL_SENTENCE];
-    const bool compliant = strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
-    sentence_of_status((int)self->core.status, self->core.values, compliant, sentence, sizeof sentence);
+    sentence_of_status((int)self->core.status, self->core.values, is_compliant(self), sentence, sizeof sentence);
     self->tell(self->owner, sentence);
     self->core.told = 1;
 }
@@ -167,7 +171,7 @@ int wheelset_terminate(wheelset *self)
 
 int wheelset_check(wheelset *self, uint32_t reference, model_type type)
 {
-    static const char *const NAMES[] = {"Real", "Integer", "String", "UInt64"};
+    static const char *const NAMES[] = {"Real", "Integer", "Boolean", "String", "UInt64"};
     if (reference >= MODEL_VARIABLES)
         return wheelset_refuse(self, "value reference %lu does not exist; they run from 0 to %d", (unsigned long)reference,
                                MODEL_VARIABLES - 1);
@@ -252,6 +256,11 @@ int wheelset_may_set_integer(wheelset *self, uint32_t reference)
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
 }
 
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference)
+{
+    return wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference);
+}
+
 int wheelset_set_stations(wheelset *self, uint64_t stations)
 {
     const unsigned long long wanted = stations;
@@ -289,7 +298,7 @@ static void evaluate(wheelset *self)
     const wrcontact_handle handle = handle_of(self);
     const int status = wrcontact_step(&handle);
     core->status = status;
-    core->stale = 0;
+    core->stale = core->balanced = 0;
     if (status)
         tell_status(self);
 }
@@ -302,6 +311,52 @@ int wheelset_refresh(wheelset *self)
         return 1;
     evaluate(self);
     return 0;
+}
+
+/* The elastic wheelset that carries the load of the inputs, in the room of a derivative: its status, with the outputs at
+ * `outputs`. */
+static int balance(wheelset *self, const double **outputs)
+{
+    double *state = self->tangent_room + MODEL_WORK, *row = state + MODEL_MEMORY;
+    const double mode = self->tables[layout__SET_MODE];
+    const wrcontact_handle handle = {
+        span_of(self->tables, self->table_size), span_of(state, MODEL_MEMORY), span_of(self->tangent_room, MODEL_WORK),
+        span_of(self->core.values, MODEL_INPUTS), span_of(row, ROW)};
+    memset(self->tangent_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
+    self->tables[layout__SET_MODE] = layout__MODE_ELASTIC;
+    const int status = wrcontact_step(&handle);
+    self->tables[layout__SET_MODE] = mode;
+    *outputs = row;
+    return status;
+}
+
+bool wheelset_is_equilibrium(uint32_t reference)
+{
+    return reference >= MODEL_EQUILIBRIUM && reference < MODEL_FIRST_OUTPUT;
+}
+
+void wheelset_find_equilibrium(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const double *outputs = core->values + MODEL_FIRST_OUTPUT;
+    int status = layout__VALID;
+    if (core->balanced || !core->built)
+        return;
+    if (is_compliant(self))
+        status = balance(self, &outputs);
+    if (status <= layout__UNLOADED)
+    {
+        core->values[MODEL_EQUILIBRIUM] = outputs[layout__OUT_VERTICAL_SHIFT];
+        core->values[MODEL_EQUILIBRIUM + 1] = outputs[layout__OUT_ROLL];
+    }
+    else
+    {
+        char sentence[MODEL_SENTENCE] = "equilibrium: ";
+        const size_t begun = strlen(sentence);
+        sentence_of_status(status, core->values, false, sentence + begun, sizeof sentence - begun);
+        self->tell(self->owner, sentence);
+    }
+    core->balanced = 1;
 }
 
 int wheelset_step(wheelset *self, double time, double size)
@@ -345,7 +400,25 @@ int wheelset_check_unknown(wheelset *self, uint32_t reference)
     return 0;
 }
 
-int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[ROW])
+size_t wheelset_rate_of(uint32_t reference)
+{
+    return wheelset_is_equilibrium(reference) ? ROW + reference - MODEL_EQUILIBRIUM : reference - MODEL_FIRST_OUTPUT;
+}
+
+/* Rates of the equilibrium, from those of an elastic wheelset in the row; the row itself is left to its own. */
+static void differentiate_equilibrium(wheelset *self, const double seed[MODEL_INPUTS], double rates[RATES])
+{
+    const wrcontact_handle handle = handle_of(self);
+    const double mode = self->tables[layout__SET_MODE];
+    if (is_compliant(self))
+        self->tables[layout__SET_MODE] = layout__MODE_ELASTIC;
+    wrcontact_tangent(&handle, seed, rates, self->tangent_room);
+    self->tables[layout__SET_MODE] = mode;
+    rates[ROW] = rates[layout__OUT_VERTICAL_SHIFT];
+    rates[ROW + 1] = rates[layout__OUT_ROLL];
+}
+
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], bool equilibrium, double rates[RATES])
 {
     if (self->core.phase == PHASE_INSTANTIATED || self->core.phase == PHASE_CONFIGURING)
         return wheelset_refuse(self, "there are no derivatives before the initialisation");
@@ -355,7 +428,9 @@ int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], doub
         if (!isfinite(seed[i]))
             return wheelset_refuse(self, "the seed of %s is not finite; permitted are finite numbers", model_variables[i].name);
     const wrcontact_handle handle = handle_of(self);
-    memset(rates, 0, ROW * sizeof(double));
+    memset(rates, 0, RATES * sizeof(double));
+    if (equilibrium)
+        differentiate_equilibrium(self, seed, rates);
     wrcontact_tangent(&handle, seed, rates, self->tangent_room);
     return 0;
 }

@@ -20,6 +20,9 @@ typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_
  * MODEL_STATIONS. */
 enum { ROW = MODEL_OUTPUTS + MODEL_OUTLINES };
 
+/* Rates of a row, and behind them those of the equilibrium. */
+enum { RATES = ROW + MODEL_FIRST_OUTPUT - MODEL_EQUILIBRIUM };
+
 /* What a simulation goes on from: all that a saved state holds. */
 typedef struct {
     double values[MODEL_FIRST_OUTPUT + ROW];        /* by value reference, and the rest of the row */
@@ -35,7 +38,7 @@ typedef struct {
     int32_t locked;                         /* the parameters are fixed */
     int32_t stale;                          /* an input has changed since the last evaluation */
     int32_t told;                           /* this step's status has been told */
-    int32_t unused;
+    int32_t balanced;                       /* the equilibrium is that of the inputs */
 } wheelset_core;
 
 /* A saved state as bytes. */
@@ -79,11 +82,14 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type);
 int wheelset_may_set_real(wheelset *self, uint32_t reference, double value);
 int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value);
 int wheelset_may_set_integer(wheelset *self, uint32_t reference);       /* none can be set */
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference);
 int wheelset_may_get(wheelset *self, uint32_t reference, model_type type);
 void wheelset_set_real(wheelset *self, uint32_t reference, double value);
 void wheelset_set_string(wheelset *self, uint32_t reference, const char *value);
 int32_t wheelset_integer(const wheelset *self, uint32_t reference);
 int wheelset_refresh(wheelset *self);                           /* bring the outputs up to date, before they are read */
+bool wheelset_is_equilibrium(uint32_t reference);               /* whether a variable is computed only when it is read: */
+void wheelset_find_equilibrium(wheelset *self);                 /* bring these up to date, after the outputs */
 
 int wheelset_experiment(wheelset *self, double start, bool stops, double stop);        /* where the steps begin and end */
 int wheelset_configure(wheelset *self);                         /* configuration mode, in which stations can be set */
@@ -105,6 +111,7 @@ int wheelset_read_state(wheelset *self, const void *bytes, size_t size, void **s
 /* Directional derivatives of the outputs at the present inputs; they change nothing of the instance. */
 int wheelset_check_known(wheelset *self, uint32_t reference);
 int wheelset_check_unknown(wheelset *self, uint32_t reference);
-int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[ROW]);
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], bool equilibrium, double rates[RATES]);
+size_t wheelset_rate_of(uint32_t reference);                    /* the place of an output's rate */
 
 #endif

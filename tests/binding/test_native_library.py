@@ -12,6 +12,7 @@ import pytest
 
 import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
+from tests.helpers.cases import input_row
 from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
@@ -34,7 +35,8 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
 
 
 def poses(count, seed=20):
-    """Inputs (count, 7) over tread and flange: cold jumps, a slow run, and some that no wheelset can have;
+    """Inputs (count, n) over tread and flange: cold jumps, a slow run, and some that no wheelset can have;
+    every other wheelset runs;
     heights and rolls around those of rigid contact, from lifted wheels to 0.2 mm deep ones."""
     rng = np.random.default_rng(seed)
     rows = np.column_stack([
@@ -55,7 +57,9 @@ def poses(count, seed=20):
     rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
     rows[run + 1::7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
     rows[run + 2::7, 3] = 0.0
-    return rows
+    others = np.tile(input_row()[rows.shape[1]:], (count, 1))
+    others[::2] += rng.normal(size=others[::2].shape)
+    return np.hstack([rows, others])
 
 
 def copy_package(folder, name, *, with_library):

@@ -145,7 +145,9 @@ def test_every_input_and_parameter_has_an_option(run):
     for variable in POSE + SYSTEM:
         assert option_of(variable) in out
     assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn",
-                                            "--load-transfer", "--vertical-shift-mm", "--roll-deg"}
+                                            "--load-transfer", "--vertical-shift-mm", "--roll-deg", "--speed",
+                                            "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
+                                            "--roll-rate", "--wheel-rate", "--track-curvature"}
     methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature",
                "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}
@@ -247,6 +249,7 @@ WRONG = {
     "force": ("solve --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
     "force_of_a_sweep": ("sweep --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
     "transfer": ("solve --load-transfer 1.5", ["--load-transfer is 1.5"]),
+    "speed": ("solve --speed 1000", ["--speed is 1000; permitted is |--speed| <= 200"]),
     "step": ("sweep --step-mm 0", ["--step-mm", "0"]),
     "backwards": ("sweep --from-mm 3 --to-mm -3", ["--from-mm 3", "--to-mm -3"]),
     "far": ("sweep --from-mm -1e308 --to-mm 1e308", ["--from-mm -1e+308", "1000"]),
@@ -263,7 +266,7 @@ WRONG = {
     "picture_folder": ("plot --output {folder}/no/such/pose.png", ["pose.png", "No such file"]),
     "demo_folder": ("demo --output {folder}/file/inside", ["file"]),
     "platforms": ("build --platforms all", ["--platforms", "--native"]),
-    "option": ("solve --speed 100", ["--speed"]),
+    "option": ("solve --velocity 100", ["--velocity"]),
     "command": ("solv", ["solv"]),
     "argument": ("solve 5", ["5"]),
 }

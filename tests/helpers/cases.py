@@ -111,4 +111,9 @@ def system(**parameters):
     return wrcontact.ContactSystem(**parameters)
 
 
+def input_row(*first):
+    """Inputs in the kernel's order: the first ones as given, all others at their starts."""
+    return np.array([*first, *(float(v.start) for v in VARIABLES[len(first):len(INPUT_NAMES)])])
+
+
 MM = 1e-3

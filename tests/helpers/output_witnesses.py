@@ -10,6 +10,7 @@ from math import atan, atan2, cos, sin, tan
 
 import numpy as np
 
+from tests.helpers.motion import creepages
 from tests.helpers.wheel_witness import WheelWitness, track
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
@@ -40,7 +41,9 @@ SCENES = {
     "hertz": ({"normal_model": "hertz"}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
     "compliant": ({"contact_mode": "compliant"},
                   {"lateral_shift": 4e-3, "yaw": 5e-3, "normal_force": 1.0, "vertical_shift_input": 0.134e-3,
-                   "roll_input": -0.253e-3}, 0),
+                   "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
+                   "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
+                   "track_curvature": 2e-3}, 0),
     "unloaded": ({}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
@@ -297,6 +300,24 @@ def patch_force(axis):
     return witness
 
 
+def patch_creepage(index):
+    """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
+    def witness(wheel, k):
+        given = wheel.inputs
+        if not given.get("speed"):
+            yield 0.0, 0.0
+            return
+        names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
+                 "roll_rate": "roll_rate", "curvature": "track_curvature"}
+        found = creepages(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
+                          radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
+                          angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"],
+                          roll=wheel.values["roll"], speed=given["speed"], wheel_rate=given["wheel_rate"],
+                          **{name: given[key] for name, key in names.items()})
+        yield found[index], 1e-6
+    return witness
+
+
 # --- the outline --------------------------------------------------------------------------------------
 
 
@@ -362,6 +383,8 @@ PATCH = {
     "rolling_radius": ("m", patch_radius),
     **{f"{axis}_track": ("m", patch_place(index)) for index, axis in enumerate("xyz")},
     **{f"force.{axis}": ("N", patch_force(index)) for index, axis in enumerate("xyz")},
+    **{f"creepage.{name}": (unit, patch_creepage(index))
+       for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))},
 }
 OUTLINE = {
     "station": ("m", station),

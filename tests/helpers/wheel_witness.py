@@ -108,7 +108,7 @@ class WheelWitness:
 
     def __init__(self, system, side, values, inputs, mode, model):
         self.system, self.side, self.sign = system, side, SIGNS[side]
-        self.values, self.mode, self.model = values, mode, model
+        self.values, self.inputs, self.mode, self.model = values, inputs, mode, model
         self.shift, self.yaw, self.roll = (self.sign * of for of in (
             inputs.get("lateral_shift", 0.0), inputs.get("yaw", 0.0), values["roll"]))
         transfer = inputs.get("load_transfer", 0.0)

@@ -62,7 +62,8 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
     system = wrcontact.ContactSystem(normal_model="hertz")
     given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
-    assert given.tolist() == [1e-3, 2e-3, 1e-5, 3e4, 0.1, 0.0, 0.0]
+    assert given[:5].tolist() == [1e-3, 2e-3, 1e-5, 3e4, 0.1]
+    assert given[5:].tolist() == [row.start for row in INPUTS[5:]]
     for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}),
                                 ((), {"shift": 0.0})):
         with pytest.raises(TypeError, match="input"):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import input_row
 from tests.helpers.mirror import side_signs
 from tools.tangent import tangent_modules
 from tools.transpile_kernel import source_modules
@@ -38,7 +39,7 @@ OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
 NAMES = [variable.name for variable in OUTPUTS]
 CONTINUOUS = np.array([variable.type != INTEGER for variable in OUTPUTS])
 NOMINAL = np.array([variable.nominal or 1.0 for variable in OUTPUTS])
-USUAL = np.array([variable.nominal for variable in VARIABLES[:INPUT_COUNT]])
+USUAL = np.array([variable.nominal or 1.0 for variable in VARIABLES[:INPUT_COUNT]])
 FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inverse=True)[1]
 
 AGREE = 1e-6        # [of the derivative's scale] to differences
@@ -77,7 +78,7 @@ SLOW = pytest.mark.slow
 
 
 def poses(count, seed, mode="rigid"):
-    """Inputs (count, 7) over tread and flange root, half of them without yaw; of a compliant wheelset the
+    """Inputs (count, n) over tread and flange root, half of them without yaw; of a compliant wheelset the
     heights and rolls that an elastic one has."""
     rng = np.random.default_rng(seed)
     rows = np.zeros((count, INPUT_COUNT))
@@ -166,7 +167,7 @@ def test_derivatives_add_up(case):
     parameters, _ = CASES[case]
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     row = poses(4, seed=3, mode=parameters.get("contact_mode", "rigid"))[3]
-    seed = USUAL * [1.0, -2.0, 3.0, 0.5, -1.0, 0.01, 0.02]
+    seed = USUAL * np.resize([1.0, -2.0, 3.0, 0.5, -1.0, 0.01, 0.02], INPUT_COUNT)
     total = derivative(stepper, row, seed)[1]
     parts = np.array([derivative(stepper, row, number)[1] * seed[number] for number in range(INPUT_COUNT)])
     rounding = 1e-10 * np.abs(parts).max(axis=0) + 1e-12 * NOMINAL
@@ -196,7 +197,7 @@ def jump(stepper, row):
 @pytest.mark.parametrize("yaw", [0.0, 0.01])
 def test_at_a_jump_the_derivative_is_that_of_its_side(yaw):
     stepper = wrcontact.ContactSystem(normal_model="hertz").stepper()
-    row = np.array([0.0, yaw, 0.0, 8e4, 0.1, 0.0, 0.0])
+    row = input_row(0.0, yaw, 0.0, 8e4, 0.1)
     sides = []
     for shift, sign in zip(jump(stepper, row), (-1.0, 1.0)):
         for number in INPUTS:
@@ -215,7 +216,7 @@ def test_elastic_stand_on_a_jump_moves_with_it():
     """The right wheel's deepest point changes between root and flange there: heights are those of
     brackets, not of an equation."""
     stepper = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").stepper()
-    row = np.array([4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01, 0.0, 0.0])
+    row = input_row(4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01)
     for number in INPUTS:
         status, rates = derivative(stepper, row, number)
         wanted, _, _ = differences(stepper, row, number)
@@ -247,7 +248,7 @@ def test_mirror_image(case):
 def test_what_does_not_move():
     """The roll's guess moves nothing, an unloaded wheel's patch stays empty, and held outputs are held."""
     stepper = wrcontact.ContactSystem().stepper()
-    row = np.array([2e-3, 5e-3, 0.0, 8e4, 1.0, 0.0, 0.0])
+    row = input_row(2e-3, 5e-3, 0.0, 8e4, 1.0)
     status, rates = derivative(stepper, row, IN_LATERAL_SHIFT)
     left = rates[OUT_LEFT:OUT_LEFT + SIDE_SIZE]
     assert status == layout.UNLOADED and np.isfinite(rates).all()
@@ -279,8 +280,8 @@ def test_a_width_that_ends_where_there_is_no_gap():
     """A pose whose derivatives were no numbers: halving ends on the last place that has a
     gap, where that does not rise."""
     stepper = wrcontact.ContactSystem(contact_mode="compliant", normal_model="analyn_strip").stepper()
-    row = np.array([0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616,
-                    -0.0017729272540683517])
+    row = input_row(0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616,
+                    -0.0017729272540683517)
     for number in range(INPUT_COUNT):
         status, rates = derivative(stepper, row, number)
         assert status == 0 and np.isfinite(rates).all()

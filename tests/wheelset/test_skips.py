@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import input_row
 from wrcontact import Status
 from wrcontact.kernel import layout
 
@@ -82,9 +83,9 @@ def test_unchanged_inputs_are_not_evaluated_again(model, force):
 def test_every_changed_input_is_evaluated(place):
     """The smallest change there is, and back again."""
     stepper = system_of("analyn_strip").stepper()
-    row = np.array([5e-3, 0.01, 1e-4, 78.5e3, 0.1, 1e-4, 1e-3])
+    row = input_row(5e-3, 0.01, 1e-4, 78.5e3, 0.1, 1e-4, 1e-3)
     changed = row.copy()
-    changed[place] = np.nextafter(row[place], 0.0)
+    changed[place] = np.nextafter(row[place], 0.0 if row[place] else 1.0)
     step(stepper, row)
     for following in (changed, row):
         before = counts_of(stepper)

@@ -71,8 +71,8 @@ def ratio(text):
                                  "0.025") from None
 
 
-#: Without roll_guess, which changes the cost of a result but never the result.
-POSE = [v for v in VARIABLES if v.causality == INPUT and v.name != "roll_guess"]
+#: Without roll_guess, which changes the cost of a result but never the result, and without switches.
+POSE = [v for v in VARIABLES if v.causality == INPUT and v.type == REAL and v.name != "roll_guess"]
 LOAD = [v for v in POSE if v.name != "lateral_shift"]
 SYSTEM = [v for v in VARIABLES if v.causality == PARAMETER]
 #: Profiles, track and wheelset, without materials and methods.

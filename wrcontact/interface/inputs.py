@@ -1,5 +1,6 @@
 """The inputs: one row for each, in the order of the kernel's array."""
 
+from .motion import MOTION
 from .rails import RAILS
 from .rows import Input
 
@@ -20,10 +21,10 @@ INPUTS = (
     Input("roll_guess", "rad", 1e-3, "Where the search for the roll angle starts; changes the cost of a "
           "step, never its answer", -0.5, 0.5, hint=True),
     Input("normal_force", "N", 1e5, "Load per wheel before load transfer: normal force, total over its "
-          "patches, or its vertical component (parameter load); the contact_mode compliant does not read it",
-          0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
+          "patches, or its vertical component (parameter load); the contact_mode compliant reads it for the "
+          "equilibrium only", 0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
     Input("load_transfer", "1", 0.1, "Share L of the load N moved from left to right: N (1 + L) on the right "
-          "wheel, N (1 - L) on the left; the contact_mode compliant does not read it",
+          "wheel, N (1 - L) on the left; the contact_mode compliant reads it for the equilibrium only",
           -1.0, 1.0, positional=True),
     Input("vertical_shift_input", "m", 1e-3, "Vertical shift of the wheelset in the contact_mode compliant, "
           "positive down; other modes do not read it",
@@ -31,10 +32,13 @@ INPUTS = (
     Input("roll_input", "rad", 1e-3, "Roll of the wheelset in the contact_mode compliant, positive with the "
           "right wheel down; other modes do not read it", -ROLL_LIMIT, ROLL_LIMIT, field="roll"),
     *RAILS,
+    *MOTION,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)
 INPUT_UNITS = tuple(row.unit for row in INPUTS)
 INPUT_NOMINALS = tuple(row.nominal for row in INPUTS)
-#: What every output may depend on; an FMU declares its dependencies once for all contact modes.
+#: What an output may depend on; an FMU declares its dependencies once for all contact modes.
 ANSWERED = tuple(row.name for row in INPUTS if not row.hint)
+#: Those of them that say where the wheelset is and what it carries, not how it moves.
+POSE = tuple(name for name in ANSWERED if name not in {row.name for row in MOTION})

@@ -3,6 +3,7 @@
 A new output takes a row here and the code in the kernel that writes its field.
 """
 
+from .inputs import ANSWERED
 from .rows import Blocks, Output, Run, Vector
 
 #: Patches that are reported for each wheel.
@@ -32,6 +33,12 @@ PATCH = (
            "mirrored)"),
     Output("z_track", "m", 1e-3, "centre of load in the track frame, down from top of rail"),
     Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
+    Output("creepage.x", "1", 1e-3, "longitudinal creepage at its centre of load: velocity of the wheel "
+           "against the rail, forward, over the rolling speed", field="creepage_x", follows=ANSWERED),
+    Output("creepage.y", "1", 1e-3, "lateral creepage, in the plane of the patch, positive to the left on "
+           "both sides", field="creepage_y", follows=ANSWERED),
+    Output("creepage.spin", "1/m", 1.0, "spin: rotation of the wheel about the normal from the rail to the "
+           "wheel, over the rolling speed", field="spin", follows=ANSWERED),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow
@@ -91,4 +98,5 @@ SIDES = ("left", "right")
 #: Words for what stands before the dot of a name.
 PARTS = {
     "contact": "The contact point in the frames of the wheel, the rail and the track.",
+    "creepage": "Velocity of the wheel against the rail in the plane of a patch, over the rolling speed.",
 }

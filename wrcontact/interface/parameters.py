@@ -84,9 +84,18 @@ SMOOTHING = Number(
     "How far the curve may keep from the points of a profile file, in the mean of squares",
     python_only=True,
 )
+DAMPING = Number(
+    0.0,
+    0.0,
+    100.0,
+    "s/m",
+    "Contact damping in the contact_mode compliant: forces are multiplied by 1 + damping times the speed of "
+    "the approach, and are never below zero",
+    nominal=0.1,
+)
 
 
-OTHERS = {"stations": STATIONS, "smoothing": SMOOTHING}
+OTHERS = {"contact_damping": DAMPING, "stations": STATIONS, "smoothing": SMOOTHING}
 
 
 @dataclass(frozen=True)

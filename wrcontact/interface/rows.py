@@ -47,7 +47,9 @@ class Input(Row):
 
     ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
     :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.  Outside ``usual`` =
-    (low, high) a value is rather a typing error.  ``place`` says whose value it is ("Left rail").
+    (low, high) a value is rather a typing error.  Beyond the ``maximum`` of a ``limited`` one, to either
+    side, a step is refused.  A ``switch`` is a Boolean in an FMU; the kernel reads it as 1 or 0.  ``place``
+    says whose value it is ("Left rail").
     """
 
     start: float = 0.0
@@ -55,6 +57,8 @@ class Input(Row):
     positional: bool = False
     usual: tuple | None = None
     place: str = ""
+    limited: bool = False
+    switch: bool = False
 
     @property
     def words(self):
@@ -63,14 +67,14 @@ class Input(Row):
 
     @property
     def keyword(self):
-        """The argument of :meth:`~wrcontact.ContactSystem.evaluate`."""
+        """Its name as an argument in Python, where a dot is an underscore."""
         return self.name.replace(".", "_")
 
 
 @dataclass(frozen=True)
 class Output(Row):
     """A number; ``whole`` numbers are integers.  ``follows`` are names of the inputs that it depends on, None
-    for all but hints."""
+    for all of the pose and the load."""
 
     whole: bool = False
     follows: tuple | None = None

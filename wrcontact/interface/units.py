@@ -29,6 +29,9 @@ UNITS = {
         Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
         Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
         Unit("1/m", {"m": -1}, "Curvature"),
+        Unit("m/s", {"m": 1, "s": -1}, "Velocity"),
+        Unit("s/m", {"m": -1, "s": 1}),
+        Unit("rad/s", {"s": -1, "rad": 1}, "AngularVelocity"),
         Unit("1", {}),
     )
 }

@@ -10,7 +10,7 @@ import math
 import re
 from dataclasses import dataclass, replace
 
-from .inputs import ANSWERED, INPUTS
+from .inputs import ANSWERED, INPUTS, POSE
 from .outputs import SIDE, SIDES, STATION_COUNT, WHEELSET
 from .parameters import PARAMETERS
 from .rows import AXES, Blocks, Run, Vector
@@ -18,7 +18,7 @@ from .starts import STARTS
 from .units import UNITS  # noqa: F401  a part of the table
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"
-REAL, INTEGER, STRING = "Real", "Integer", "String"
+REAL, INTEGER, BOOLEAN, STRING = "Real", "Integer", "Boolean", "String"
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Variable:
 
     @property
     def variability(self):
-        """How the value may change: parameters are fixed, Reals follow their inputs, Integers switch."""
+        """How the value may change: parameters are fixed, Reals follow their inputs, others switch."""
         if self.causality == PARAMETER:
             return "fixed"
         return "continuous" if self.type == REAL else "discrete"
@@ -62,6 +62,9 @@ class Variable:
 def _inputs():
     """What moves: the pose and the load of the wheelset."""
     for row in INPUTS:
+        if row.switch:
+            yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=bool(row.start))
+            continue
         yield Variable(
             row.name,
             INPUT,
@@ -122,7 +125,7 @@ def _expanded(rows, prefix="", place=""):
 def _output(row, name, meaning, place):
     """One output; angles are bounded by a right angle."""
     low, high = (-math.pi / 2, math.pi / 2) if row.unit == "rad" else (row.minimum, row.maximum)
-    follows = ANSWERED if row.follows is None else row.follows
+    follows = POSE if row.follows is None else row.follows
     if row.whole:
         return Variable(
             name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=follows, place=place
@@ -152,6 +155,17 @@ def _indexed(variables):
     return [replace(variable, index=index) for index, variable in enumerate(variables)]
 
 
+def _equilibrium():
+    """Where a compliant wheelset carries its load: computed apart from a step, and only when it is read."""
+    follows = tuple(name for name in POSE if name not in ("vertical_shift_input", "roll_input"))
+    words = ("{} of the wheelset at which both wheels carry the load that the inputs give; from here a "
+             "wheelset in the contact_mode compliant starts at rest (in other modes {} itself)")
+    for name, unit, quantity in (("vertical_shift", "m", "Vertical shift"), ("roll", "rad", "Roll")):
+        low, high = (-math.pi / 2, math.pi / 2) if unit == "rad" else (None, None)
+        yield Variable(f"equilibrium.{name}", OUTPUT, words.format(quantity, name), unit=unit, minimum=low,
+                       maximum=high, nominal=1e-3, depends_on=follows)
+
+
 #: What became of a step; it is no part of the kernel's outputs.
 _STATUS = Variable(
     "status",
@@ -164,9 +178,11 @@ _STATUS = Variable(
     depends_on=ANSWERED,
 )
 
-VARIABLES = (*_indexed(_inputs()), *_parameters(), *_indexed(_outputs()), _STATUS)
+VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_outputs()), _STATUS)
 REFERENCE = {variable.name: reference for reference, variable in enumerate(VARIABLES)}
 
+#: Value reference of the first of the equilibrium's two outputs.
+EQUILIBRIUM = REFERENCE["equilibrium.vertical_shift"]
 #: Value references of the first kernel output and of the status; between them the kernel's array lies without
 #: a hole.
 FIRST_OUTPUT = REFERENCE["roll"]

@@ -19,7 +19,18 @@ import numpy as np
 
 from .. import status as outcomes
 from ..interface.parameters import LEFT, SIDED
-from ..interface.variables import FIRST_OUTPUT, INTEGER, OUTPUT, PARAMETER, REAL, STATUS, STRING, VARIABLES
+from ..interface.variables import (
+    BOOLEAN,
+    EQUILIBRIUM,
+    FIRST_OUTPUT,
+    INTEGER,
+    OUTPUT,
+    PARAMETER,
+    REAL,
+    STATUS,
+    STRING,
+    VARIABLES,
+)
 from ..kernel import layout
 from ..methods.choices import check_choice
 from ..system import ContactSystem
@@ -27,9 +38,8 @@ from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
 INPUTS = layout.INPUT_COUNT
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
-START = np.array([v.start if v.type == REAL and v.start is not None else 0.0 for v in VARIABLES])
-
-BOOLEAN = "Boolean"     # which no variable is
+START = np.array([v.start if v.type in (REAL, BOOLEAN) and v.start is not None else 0.0 for v in VARIABLES],
+                 dtype=float)
 
 #: First bytes of every saved state; the number changes with the format.
 STATE_FORMAT = b"wrcontact state 2\n"
@@ -65,6 +75,8 @@ class Session:
         self._stepper = None
         self._values = START.copy()  # by value reference; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
+        self._balanced = False  # the equilibrium is that of the inputs
+        self._balance = None  # a stepper that finds it
         self._told = False  # this step's status has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
         self._inputs = None  # the references of the last list that was set, if all are inputs
@@ -111,7 +123,7 @@ class Session:
     def initialise(self):
         """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
         if self._built_with != self.parameters:
-            self._stepper = self._build(self.parameters)
+            self._stepper, self._balance = self._build(self.parameters), None
             self._built_with = dict(self.parameters)
             self._stale = True
 
@@ -182,6 +194,8 @@ class Session:
         if self.life.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
+        if not self._balanced and any(EQUILIBRIUM <= reference < FIRST_OUTPUT for reference in references):
+            self._find_equilibrium()
         return self._values[self._places].tolist()
 
     def set_integers(self, references, values):
@@ -199,10 +213,17 @@ class Session:
         values = self._values
         return [int(values[place]) for place in self._integer_places]
 
-    def refuse_booleans(self, references):
-        """Always :class:`Refused`: no variable is a Boolean."""
-        for reference in references:
-            _variable(reference, BOOLEAN)
+    def set_booleans(self, references, values):
+        """Set inputs that are switches, all of them or none."""
+        self._settable(references, values, BOOLEAN)
+        for reference, value in zip(references, values, strict=True):
+            if self._values[reference] != bool(value):
+                self._values[reference] = bool(value)
+                self._stale = True
+
+    def get_booleans(self, references):
+        """Inputs that are switches."""
+        return [bool(self._values[_place(reference, BOOLEAN)]) for reference in references]
 
     def step(self, time=None, size=0.0):
         """Update the outputs for a step of ``size`` [s] that begins at ``time`` [s], by default at the end of
@@ -235,10 +256,27 @@ class Session:
         outcome = stepper.step()
         values[FIRST_OUTPUT:STATUS] = stepper.outputs
         values[STATUS] = outcome
-        self._stale = False
+        self._stale = self._balanced = False
         self.evaluations += 1
         if outcome:
             self._tell()
+
+    def _find_equilibrium(self):
+        """Height and roll at which the load is carried; where there are none the last ones stay."""
+        if self._stepper is None:
+            return
+        values, found, outcome = self._values, self._stepper.outputs, 0
+        if self.parameters["contact_mode"] == "compliant":
+            if self._balance is None:
+                self._balance = self._build({**self.parameters, "contact_mode": "elastic"})
+            self._balance.state[:] = 0.0
+            self._balance.inputs[:] = values[:INPUTS]
+            outcome, found = self._balance.step(), self._balance.outputs
+        if outcome <= outcomes.Status.UNLOADED:
+            values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
+        else:
+            self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
+        self._balanced = True
 
     def _tell(self):
         self.tell(outcomes.explain(self.status, self._values[:INPUTS],
@@ -256,6 +294,7 @@ class Session:
             "built": stepper is not None,
             "life": self.life.saved(),
             "stale": self._stale,
+            "balanced": self._balanced,
             "told": self._told,
         }
         arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs,
@@ -275,10 +314,12 @@ class Session:
                           "present state is kept")
         for array in arrays:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
+        if stepper is not self._stepper:
+            self._balance = None
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
         self.life = Life(*header["life"])
-        self._stale, self._told = header["stale"], header["told"]
+        self._stale, self._told, self._balanced = header["stale"], header["told"], header["balanced"]
 
     def _stepper_for(self, header):
         """The stepper for a snapshot: the present one if the parameters are equal, otherwise a new one."""
@@ -308,7 +349,7 @@ def _place(reference, type):
 def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
-        if reference >= FIRST_OUTPUT:
+        if reference >= EQUILIBRIUM:
             raise Refused(f"{VARIABLES[reference].name} is an output and cannot be read before the "
                           "initialisation")
 

@@ -18,6 +18,10 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     roll__place_both(work, left_tables, right_tables, roll);
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
+    if (damping__is_damped(right_tables) == INT64_C(1))
+    {
+        moving__open_given_motion(left_tables, right_tables, work);
+    }
     if (roll__search_both(work, left_tables, right_tables, state, compliant__follow_starts(left_tables, right_tables, work, state)) == INT64_C(0))
     {
         return layout__OFF_PROFILE;

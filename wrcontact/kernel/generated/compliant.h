@@ -8,7 +8,9 @@
 #define WRCONTACT_KERNEL_COMPLIANT_H
 
 #include "../native/spans.h"
+#include "damping.h"
 #include "layout.h"
+#include "moving.h"
 #include "roll.h"
 #include "side.h"
 #include "starts.h"

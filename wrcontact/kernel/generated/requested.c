@@ -30,6 +30,10 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__INVALID_INPUT;
     }
+    if (wheelset_motion__is_moderate(work) == INT64_C(0))
+    {
+        status = layout__INVALID_INPUT;
+    }
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
     {
         if (!isfinite((*cspan_at(&work, layout__WORK_INPUTS + i))))

@@ -10,6 +10,7 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "outlines.h"
+#include "wheelset_motion.h"
 
 static inline int64_t requested__is_rail_far(array_double_1d work);
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables);

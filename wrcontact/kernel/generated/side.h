@@ -9,6 +9,7 @@
 
 #include "../native/spans.h"
 #include "contact_point.h"
+#include "damping.h"
 #include "deep_points.h"
 #include "followed_overlaps.h"
 #include "gap.h"

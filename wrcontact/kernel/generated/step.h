@@ -14,6 +14,7 @@
 #include "compliant.h"
 #include "elastic.h"
 #include "layout.h"
+#include "moving.h"
 #include "outline.h"
 #include "requested.h"
 #include "resultant.h"

@@ -182,6 +182,10 @@ static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
+    if (damping__is_damped(right_tables) == INT64_C(1))
+    {
+        tangent_moving__open_given_motion_t(left_tables, right_tables, work, work_t);
+    }
     tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
     tangent_compliant__load_at_height_t(left_tables, work, work_t, state, INT64_C(0), height, height_t);
     tangent_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
@@ -221,6 +225,10 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
         tangent_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t, state);
     }
     tangent_resultant__write_resultant_t(work, work_t, right_tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
+    if (moving__is_rolling(work) == INT64_C(1))
+    {
+        tangent_moving__write_creepages_t(left_tables, right_tables, work, work_t);
+    }
     tangent_requested__omit_outputs_t(right_tables, work, work_t);
     return outcome;
 }

@@ -7,10 +7,13 @@
 #define WRCONTACT_KERNEL_TANGENT_WHEELSET_RULES_H
 
 #include "../native/spans.h"
+#include "damping.h"
 #include "elastic.h"
 #include "layout.h"
+#include "moving.h"
 #include "tangent_compliant.h"
 #include "tangent_gap.h"
+#include "tangent_moving.h"
 #include "tangent_requested.h"
 #include "tangent_resultant.h"
 #include "tangent_rigid.h"

@@ -9,9 +9,16 @@ from ...interface import outputs as _outputs
 from ...interface import rows as _rows
 from ...interface import variables as _variables
 from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT  # noqa: F401
-from ...interface.rails import RAIL_LIMIT  # noqa: F401
+from ...interface.motion import (  # noqa: F401
+    CURVATURE_LIMIT,
+    RATE_LIMIT,
+    SPEED_LIMIT,
+    VELOCITY_LIMIT,
+    WHEEL_LIMIT,
+)
 from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT  # noqa: F401
 from ...interface.parameters import KERNEL_PARAMETERS
+from ...interface.rails import RAIL_LIMIT  # noqa: F401
 from ...methods import FAMILIES as _FAMILIES
 from ...methods.normal_model import Resolution as _Resolution
 from .record import Float, record, size

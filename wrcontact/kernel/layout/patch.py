@@ -65,7 +65,10 @@ class PatchForce:
     x_track: float                  # its centre of load [m]
     y_track: float
     z_track: float
-    rolling_radius: float           # there [m]
+    moment_x: float                 # about the track's origin [N m]
+    moment_y: float
+    moment_z: float
+    rolling_radius: float           # at the centre of load [m]
 
 
 @record

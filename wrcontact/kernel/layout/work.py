@@ -2,6 +2,7 @@
 
 from .contact import DeepPoints, Frame, KeptFrames, Origin, Overlap, Regions
 from .interface import Inputs, Outputs
+from .motion import Motion
 from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
@@ -43,3 +44,4 @@ class Work:
     height_bracket: Bracket
     roll_bracket: Bracket
     trials: RollTrials
+    motion: Motion

@@ -18,7 +18,9 @@ from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Wo
 from ..search.roll import place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import load_at_height
+from ..wheelset.damping import is_damped
 from ..wheelset.elastic import UNBALANCED
+from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
 from ..wheelset.rigid import solve_rigid
@@ -120,6 +122,8 @@ def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, stat
     place_moving(left_tables, right_tables, work, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
+    if is_damped(right_tables) == 1:
+        open_given_motion(left_tables, right_tables, work)
     follow_minimum(left_tables, work, 0)
     load_at_height(left_tables, work, state, 0, height)
     follow_minimum(right_tables, work, 1)
@@ -144,5 +148,7 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: 
         follow_compliant(left_tables, right_tables, work, state)
     write_resultant(right_tables, work.inputs, work.outputs, work.supports[0].resultant,
                     work.supports[1].resultant)
+    if is_rolling(work.inputs) == 1:
+        write_creepages(left_tables, right_tables, work)
     omit_outputs(right_tables, work)
     return outcome

@@ -6,6 +6,8 @@ from typing import Final
 from ..layout import OFF_PROFILE, VALID, State, Tables, Work
 from ..search.roll import follow_side, place_both, search_both
 from ..search.starts import nearest_start
+from .damping import is_damped
+from .moving import open_given_motion
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
 
@@ -21,6 +23,8 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state
     place_both(left_tables, right_tables, work.inputs, work.sides, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
+    if is_damped(right_tables) == 1:
+        open_given_motion(left_tables, right_tables, work)
     if search_both(left_tables, right_tables, work.sides, state,
                    follow_starts(left_tables, right_tables, work, state)) == 0:
         return OFF_PROFILE

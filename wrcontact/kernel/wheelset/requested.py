@@ -23,6 +23,7 @@ from ..layout import (
     Tables,
     Work,
 )
+from ..motion.wheelset_motion import is_moderate
 from .outlines import fill_apart
 
 
@@ -37,6 +38,8 @@ def check_inputs(tables: Tables, inputs: Inputs):
     if is_rail_far(inputs) == 1:
         status = OFF_PROFILE
     if inputs.normal_force < 0.0 or fabs(inputs.load_transfer) > 1.0:
+        status = INVALID_INPUT
+    if is_moderate(inputs) == 0:
         status = INVALID_INPUT
     for i in range(INPUT_COUNT):
         if not isfinite(inputs[i]):

@@ -62,6 +62,9 @@ def clear_force(patch: SolvedPatch):
     force = patch.force
     force.y = 0.0
     force.z = 0.0
+    force.moment_x = 0.0
+    force.moment_y = 0.0
+    force.moment_z = 0.0
     force.x_track = 0.0
     force.y_track = 0.0
     force.z_track = 0.0
@@ -96,15 +99,21 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
     force_z = -normal_cos * load
     resultant[1] += force_y
     resultant[2] += force_z
-    resultant[3] += y * force_z - z * force_y
-    resultant[4] -= x * force_z
-    resultant[5] += x * force_y
+    moment_x = y * force_z - z * force_y
+    moment_y = -x * force_z
+    moment_z = x * force_y
+    resultant[3] += moment_x
+    resultant[4] += moment_y
+    resultant[5] += moment_z
     wheel_height, wheel_slope = height_slope(tables.wheel, block.wheel)
     wheel_height, wheel_slope = height_slope(tables.wheel,
                                              block.wheel + away / sqrt(1.0 + wheel_slope * wheel_slope))
     force = patch.force
     force.y += force_y
     force.z += force_z
+    force.moment_x += moment_x
+    force.moment_y += moment_y
+    force.moment_z += moment_z
     force.x_track += load * x
     force.y_track += load * y
     force.z_track += load * z

@@ -21,6 +21,7 @@ from ..layout import (
 from ..patch.outline import row_size
 from .compliant import solve_compliant
 from .elastic import solve_elastic
+from .moving import is_rolling, write_creepages
 from .requested import check_inputs, omit_outputs, side_force
 from .resultant import write_resultant
 from .rigid import find_roll, keep_roll, solve_rigid
@@ -48,6 +49,8 @@ def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State
             status = elastic_from_rigid(left_tables, right_tables, work, state, roll)
     write_resultant(right_tables, work.inputs, work.outputs, work.supports[0].resultant,
                     work.supports[1].resultant)
+    if is_rolling(work.inputs) == 1:
+        write_creepages(left_tables, right_tables, work)
     omit_outputs(right_tables, work)
     return status
 

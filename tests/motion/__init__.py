@@ -1,0 +1,1 @@
+"""Tests of how the wheelset moves, and of the creepages of its patches."""

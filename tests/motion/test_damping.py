@@ -1,0 +1,117 @@
+"""Contact damping of a compliant wheelset."""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.cases import system
+
+FORCE, DAMPING = 78.5e3, 0.4
+POSES = [(0.0, 0.0), (3e-3, 0.01), (5.2e-3, 0.0), (-6.2e-3, -0.015)]
+
+
+def pressed(shift, yaw, model="analyn", damping=DAMPING, **motion):
+    stand = system(contact_mode="elastic", normal_model=model).evaluate(shift, yaw)
+    return system(contact_mode="compliant", normal_model=model, contact_damping=damping).evaluate(
+        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **motion)
+
+
+def vector(of):
+    return np.array([of.x, of.y, of.z])
+
+
+@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+@pytest.mark.parametrize("shift, yaw", POSES)
+def test_forces_grow_with_the_approach(shift, yaw, model):
+    """Of a wheelset that moves down, by 1 + damping times velocity times the normal's cosine; areas and
+    pressures stay, and sums are those of the patches."""
+    still, moving = pressed(shift, yaw, model), pressed(shift, yaw, model, vertical_velocity=0.2)
+    for before, after in ((still.left, moving.left), (still.right, moving.right)):
+        for one, other in zip(before.patches, after.patches):
+            factor = 1 + DAMPING * 0.2 * np.cos(one.contact_angle)
+            assert other.normal_force == pytest.approx(factor * one.normal_force, rel=1e-12)
+            np.testing.assert_allclose(vector(other.force), factor * vector(one.force), rtol=1e-12)
+            for name in ("x_track", "y_track", "z_track", "contact_angle", "area", "max_pressure"):
+                assert getattr(other, name) == getattr(one, name)
+        assert after.normal_force == pytest.approx(sum(patch.normal_force for patch in after.patches))
+        np.testing.assert_allclose(vector(after.force), sum(vector(patch.force) for patch in after.patches),
+                                   rtol=0, atol=1e-9)
+        if len(after.patches) == 1:
+            np.testing.assert_allclose(vector(after.moment), factor * vector(before.moment), rtol=1e-9,
+                                       atol=1e-9 * FORCE)
+        np.testing.assert_array_equal(after.outline.pressure, before.outline.pressure)
+    np.testing.assert_allclose(vector(moving.left.moment) + vector(moving.right.moment),
+                               vector(moving.moment), rtol=0, atol=1e-12 * FORCE)
+
+
+def test_never_adhesive():
+    """A wheelset that is torn up has no force, whatever its velocity."""
+    for velocity in (-3.0, -5.0, -20.0):
+        state = pressed(3e-3, 0.01, vertical_velocity=velocity)
+        for wheel in (state.left, state.right):
+            assert wheel.normal_force == 0.0 and wheel.force.z == 0.0 and wheel.moment.x == 0.0
+        assert state.force.z == 0.0
+    assert pressed(3e-3, 0.01, vertical_velocity=-2.4).right.normal_force > 0.0
+
+
+def test_roll_and_rails_approach():
+    """The right wheel comes down where the wheelset rolls to the right, and its rail comes up."""
+    still = pressed(0.0, 0.0)
+    rolling, lifted = pressed(0.0, 0.0, roll_rate=0.1), pressed(0.0, 0.0, right_rail_vertical_velocity=-0.1)
+    for state, arm in ((rolling, 0.75), (lifted, 1.0)):
+        gain = state.right.normal_force / still.right.normal_force - 1
+        assert gain == pytest.approx(DAMPING * 0.1 * arm, rel=0.03)
+    assert rolling.left.normal_force < still.left.normal_force
+    assert lifted.left.normal_force == still.left.normal_force
+
+
+def test_rolling_does_not_approach():
+    """Neither speed nor yaw nor a curve changes a force."""
+    still, moving = pressed(4e-3, 0.01), pressed(4e-3, 0.01, speed=50.0, track_curvature=5e-3)
+    assert moving.right.normal_force == still.right.normal_force
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_other_modes_are_not_damped(mode):
+    plain = system(contact_mode=mode).evaluate(1e-3, vertical_velocity=1.0)
+    damped = system(contact_mode=mode, contact_damping=1.0).evaluate(1e-3, vertical_velocity=1.0)
+    np.testing.assert_array_equal(plain.values, damped.values)
+
+
+def test_without_damping_velocities_change_no_force():
+    still, moving = (pressed(3e-3, 0.01, damping=0.0, vertical_velocity=velocity) for velocity in (0.0, 1.0))
+    np.testing.assert_array_equal(still.values, moving.values)
+
+
+def bounce(damping, cycles=3):
+    """Energies [J] of a wheelset of 1500 kg on springless rails at the top of each bounce: it starts 50 um
+    above the height at which it carries its weight, and moves up and down alone; Runge and Kutta's method."""
+    mass, weight, step = 1500.0, 2 * 20e3, 2e-5
+    one = wrcontact.ContactSystem(contact_mode="compliant", normal_model="hertz", contact_damping=damping)
+    rest = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").evaluate(
+        0.0, normal_force=weight / 2).vertical_shift
+
+    def rates(state):
+        force = one.evaluate(0.0, vertical_shift_input=state[0], vertical_velocity=state[1]).force.z
+        return np.array([state[1], (weight + force) / mass])
+
+    state, tops = np.array([rest - 2e-5, 0.0]), [rest - 2e-5]
+    while len(tops) <= cycles:
+        k1 = rates(state)
+        k2 = rates(state + step / 2 * k1)
+        k3 = rates(state + step / 2 * k2)
+        k4 = rates(state + step * k3)
+        following = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        if state[1] < 0 <= following[1]:
+            share = -state[1] / (following[1] - state[1])
+            # the height of a parabola's top between two steps
+            tops.append(state[0] + 0.5 * share * step * state[1])
+        state = following
+    return np.array(tops) - rest
+
+
+def test_energy_of_a_bouncing_wheelset():
+    """It comes back to its height without damping, and less and less high with it."""
+    kept, lost = bounce(0.0), bounce(0.5)
+    np.testing.assert_allclose(kept, kept[0], rtol=1e-4)
+    assert (np.diff(np.abs(lost)) < -0.01 * abs(lost[0])).all()

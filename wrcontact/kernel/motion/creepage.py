@@ -1,0 +1,62 @@
+"""Creepages of the patches: how the wheel slides and turns on the rail, over the rolling speed.
+
+At a patch's centre of load P the wheel's surface has the velocity
+
+    v = (V, y', z') + W x (P - C) - w e2 x (P - C)
+
+with the velocity of the wheelset's centre C, its rotation W but for that about the axle, and its rotation w
+about the axle e2, positive when it rolls forward.  With the normal n from the rail to the wheel and
+y_c = n x e_x, which points to the left on both sides,
+
+    V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+    xi = v . e_x / V_ref,   eta = v . y_c / V_ref,   phi = (W - w e2) . n / V_ref
+
+The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
+circumference that it has when it carries nothing, however deep it is pressed.
+"""
+
+from math import cos, fabs, sin, sqrt
+from typing import Final
+
+from ..layout import PATCH_LIMIT, Motion, Patch, RailMotion, SideOutputs
+
+#: A wheel that rolls more slowly than this [m/s] stands still and has no creepages: a micrometre a second.
+STANDSTILL: Final[float] = 1e-6
+
+
+def write_side_creepages(motion: Motion, rail: RailMotion, side: SideOutputs, mirror: float):
+    """Creepages of the patches of a side; ``mirror`` = 1 on the right, -1 on the left."""
+    for index in range(PATCH_LIMIT):
+        patch = side.patch[index]
+        if patch.normal_force > 0.0:
+            write_creepage(motion, rail, patch, mirror)
+    return 0
+
+
+def write_creepage(motion: Motion, rail: RailMotion, patch: Patch, mirror: float):
+    """Creepages of one patch."""
+    x = patch.x_track
+    y = patch.y_track - motion.centre_y
+    z = patch.z_track - motion.centre_z
+    # e2 x (P - C), and how much of it is due to the rotation of the wheel
+    around_x = motion.axle_y * z - motion.axle_z * y
+    around_y = motion.axle_z * x - motion.axle_x * z
+    around_z = motion.axle_x * y - motion.axle_y * x
+    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z)
+    rolling = motion.wheel_rate * patch.rolling_radius / distance
+    along = (motion.speed - motion.track_rate * patch.y_track + motion.turn_y * z - motion.turn_z * y
+             - rolling * around_x)
+    lateral = (motion.lateral + motion.track_rate * x + motion.turn_z * x - motion.turn_x * z
+               - rolling * around_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
+    vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * x
+                - rolling * around_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
+    normal_y = -mirror * sin(patch.contact_angle)
+    normal_z = -cos(patch.contact_angle)
+    reference = 0.5 * (fabs(motion.speed) + fabs(rolling * around_x))
+    if reference > STANDSTILL:
+        patch.creepage_x = along / reference
+        patch.creepage_y = (normal_z * lateral - normal_y * vertical) / reference
+        patch.spin = ((motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
+                      + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
+                      ) / reference
+    return 0
