@@ -27,7 +27,7 @@ for line in sys.stdin:
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     rows = []
     for pose in np.load(poses):
-        stepper.inputs[:] = pose
+        stepper.inputs[:len(pose)] = pose
         rows.append([stepper.step(), *stepper.outputs])
     np.save(steps, np.array(rows))
     print("done", flush=True)

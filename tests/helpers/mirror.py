@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from wrcontact.interface.variables import VARIABLES
+from wrcontact.interface.variables import OUTPUT, VARIABLES
 
 #: Outputs of one wheel that change their sign: y in the track frame, forces along y (true vectors), and
-#: moments about x and z (axial vectors).
-TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z")
+#: moments about x and z (axial vectors), lateral creepage and spin.
+TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z", "creepage.y", "creepage.spin")
 
 
 def side_signs():
     """The signs (m,) that turn the outputs of a right wheel into those of the left wheel in the mirror."""
-    names = [one.name.removeprefix("right.") for one in VARIABLES if one.name.startswith("right.")]
+    names = [one.name.removeprefix("right.") for one in VARIABLES
+             if one.causality == OUTPUT and one.name.startswith("right.")]
     turned = [name in TURNED or name.partition("].")[2] in TURNED for name in names]
     return np.where(turned, -1.0, 1.0)
