@@ -4,7 +4,7 @@ tables as C text."""
 import numpy as np
 
 from ..interface.inputs import LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
-from ..interface.rails import RAIL_LIMIT
+from ..interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT
 from ..interface.parameters import checked_parameters
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout
@@ -45,7 +45,7 @@ def sizes_header(token, profiles, blocks):
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
         "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT,
-        "RAIL_LIMIT": RAIL_LIMIT, "DEEPEST": DEEPEST,
+        "RAIL_LIMIT": RAIL_LIMIT, "RAIL_ROLL_LIMIT": RAIL_ROLL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]

@@ -9,6 +9,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "leaning.h"
 #include "roll.h"
 #include "side.h"
 #include "starts.h"

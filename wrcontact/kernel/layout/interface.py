@@ -9,7 +9,7 @@ from ...interface import outputs as _outputs
 from ...interface import rows as _rows
 from ...interface import variables as _variables
 from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT  # noqa: F401
-from ...interface.rails import RAIL_LIMIT  # noqa: F401
+from ...interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT  # noqa: F401
 from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT  # noqa: F401
 from ...interface.parameters import KERNEL_PARAMETERS
 from ...methods import FAMILIES as _FAMILIES

@@ -6,7 +6,7 @@ from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import RollTrials, Sides
-from .wheelset import Bracket, Broyden, Supports
+from .wheelset import Bracket, Broyden, Reference, Supports
 
 
 @record
@@ -41,3 +41,4 @@ class Work:
     height_bracket: Bracket
     roll_bracket: Bracket
     trials: RollTrials
+    reference: Reference

@@ -6,6 +6,7 @@ from typing import Final
 from ..layout import OFF_PROFILE, VALID, State, Tables, Work
 from ..search.roll import follow_side, place_both, search_both
 from ..search.starts import nearest_start
+from .leaning import set_reference
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
 
@@ -18,6 +19,7 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
+    set_reference(work.sides, height)
     place_both(left_tables, right_tables, work.inputs, work.sides, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
