@@ -4,8 +4,8 @@ tables as C text."""
 import numpy as np
 
 from ..interface.inputs import LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
-from ..interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT
 from ..interface.parameters import checked_parameters
+from ..interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout
 from ..kernel.binding.hertz_table import hertz_table
