@@ -106,7 +106,7 @@ def of_table(rows, prefix=""):
         if isinstance(row, Blocks):
             continue
         ending = "[j]" if isinstance(row, Run) else ".x, .y, .z" if isinstance(row, Vector) else ""
-        meaning = row.meaning.format(axis=", ".join(way for _, way in AXES))
+        meaning = getattr(row, "words", row.meaning).format(axis=", ".join(way for _, way in AXES))
         yield (SYMBOLS.get(prefix + row.name, ""), f"`{row.name}{ending}`", row.unit, meaning)
 
 

@@ -4,8 +4,8 @@ tables as C text."""
 import numpy as np
 
 from ..interface.inputs import INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
-from ..interface.rails import RAIL_LIMIT
 from ..interface.parameters import checked_parameters
+from ..interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT
 from ..interface.variables import (
     BOOLEAN,
     EQUILIBRIUM,
@@ -59,7 +59,7 @@ def sizes_header(token, profiles, blocks):
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
         "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT,
-        "RAIL_LIMIT": RAIL_LIMIT, "DEEPEST": DEEPEST,
+        "RAIL_LIMIT": RAIL_LIMIT, "RAIL_ROLL_LIMIT": RAIL_ROLL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]

@@ -4,7 +4,7 @@ import math
 from enum import IntEnum
 
 from .interface.inputs import INPUT_NAMES, INPUT_UNITS, INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
-from .interface.rails import RAIL_LIMIT, RAILS
+from .interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from .kernel import layout
 from .kernel.wheelset.trial import DEEPEST
 from .methods.numbers import unit_behind
@@ -109,8 +109,9 @@ def _off_profile(said, compliant):
     if yaw > YAW_LIMIT:
         return said.beyond("yaw", YAW_LIMIT, ", beyond the profiles")
     for name in RAIL_NAMES:
-        if abs(said.inputs[name]) > RAIL_LIMIT:
-            return said.beyond(name, RAIL_LIMIT)
+        limit = RAIL_ROLL_LIMIT if name.endswith("rail_roll") else RAIL_LIMIT
+        if abs(said.inputs[name]) > limit:
+            return said.beyond(name, limit)
     deepest = said.terms.length(DEEPEST)
     if compliant and roll > ROLL_LIMIT:
         return said.beyond("roll_input", ROLL_LIMIT)

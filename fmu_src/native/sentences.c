@@ -108,11 +108,17 @@ static void invalid_input(const double *inputs, char *text, size_t size)
                  SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]));
 }
 
-/* The first input that displaces a rail too far, or -1. */
+/* How far an input may move a rail. */
+static double rail_limit(int input)
+{
+    return input == layout__IN_LEFT_RAIL_ROLL || input == layout__IN_RIGHT_RAIL_ROLL ? MODEL_RAIL_ROLL_LIMIT : MODEL_RAIL_LIMIT;
+}
+
+/* The first input that moves a rail too far, or -1. */
 static int far_rail(const double *inputs)
 {
-    for (int i = layout__IN_LEFT_RAIL_LATERAL; i <= layout__IN_RIGHT_RAIL_VERTICAL; i += 1)
-        if (fabs(inputs[i]) > MODEL_RAIL_LIMIT)
+    for (int i = layout__IN_LEFT_RAIL_LATERAL; i <= layout__IN_RIGHT_RAIL_ROLL; i += 1)
+        if (fabs(inputs[i]) > rail_limit(i))
             return i;
     return -1;
 }
@@ -151,8 +157,9 @@ void sentence_of_status(int status, const double *inputs, bool compliant, char *
         snprintf(text, size, "lateral_shift is %s m, beyond the profiles; permitted is |lateral_shift| <= %s m; %s", shift,
                  SIX_DIGITS(MODEL_LATERAL_LIMIT), KEPT);
     else if (rail >= 0)
-        snprintf(text, size, "%s is %s m; permitted is |%s| <= %s m; %s", model_variables[rail].name, SIX_DIGITS(inputs[rail]),
-                 model_variables[rail].name, SIX_DIGITS(MODEL_RAIL_LIMIT), KEPT);
+        snprintf(text, size, "%s is %s%s; permitted is |%s| <= %s%s; %s", model_variables[rail].name, SIX_DIGITS(inputs[rail]),
+                 model_variables[rail].unit, model_variables[rail].name, SIX_DIGITS(rail_limit(rail)), model_variables[rail].unit,
+                 KEPT);
     else if (compliant && fabs(inputs[layout__IN_ROLL]) > MODEL_ROLL_LIMIT)
         snprintf(text, size, "roll_input is %s rad; permitted is |roll_input| <= %s rad; %s", roll,
                  SIX_DIGITS(MODEL_ROLL_LIMIT), KEPT);

@@ -37,7 +37,7 @@ def test_the_rolling_radius_difference_is_the_standards(case):
     # measured 0.0252, 0.0100, 0.0055, 0.0239; 0.0086, 0.0044, 0.0185 mm
     assert np.mean(off) < {"E1": 0.032, "E2": 0.013, "E3": 0.0071, "E4": 0.031, "E5": 0.011, "E7": 0.0057,
                            "E9": 0.024}[case]
-    assert np.max(off) < 0.15                   # [mm] measured 0.101, 0.054, 0.115, 0.103; 0.073, 0.115, 0.101
+    assert np.max(off) < 0.15       # [mm] measured 0.101, 0.054, 0.115, 0.103; 0.073, 0.115, 0.101
 
 
 @pytest.mark.parametrize("case", WHEELS)

@@ -198,6 +198,7 @@ class Track:
     rail_origin: float  # track y of the highest point of the right head [m]
     nominal_radius: float = 0.46
     half_distance: float = 0.75  # running circle to track centre [m]
+    rail_depth: float = 0.0  # of the rail's origin below top of rail [m]
     height: float | None = None  # of the wheelset's centre over the running circles [m]; None: the radius
 
 
@@ -229,7 +230,8 @@ class Pose:
         return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, ct, -st], [0, st, ct]])
 
     def centre(self, system):
-        return np.array([0.0, self.lateral_shift, self.vertical_shift - (system.height or system.nominal_radius)])
+        height = system.height or system.nominal_radius
+        return np.array([0.0, self.lateral_shift, self.vertical_shift - height])
 
 
 def wheel_surface(system, pose, phi, y, zone=None):
@@ -255,7 +257,7 @@ def vertical_gap(system, pose, phi, y, zone=None):
     phi, by y and twice by phi."""
     p, p_phi, p_y, p_phiphi = wheel_surface(system, pose, phi, y, zone)
     z, dz, ddz = system.rail(p[1] - system.rail_origin)
-    return (z - p[2], dz * p_phi[1] - p_phi[2], dz * p_y[1] - p_y[2],
+    return (z + system.rail_depth - p[2], dz * p_phi[1] - p_phi[2], dz * p_y[1] - p_y[2],
             ddz * p_phi[1] ** 2 + dz * p_phiphi[1] - p_phiphi[2])
 
 
@@ -397,6 +399,7 @@ def contact(system, pose, phi, y, zone, side):
     x_track, y_track, z_track = wheel_surface(system, pose, phi, y, zone)[0]
     y_rail = y_track - system.rail_origin
     z_rail, slope, _ = system.rail(y_rail)
+    # z_track is the wheel's point: on the rail, rail_depth below z_rail
     values = (radius * sin(phi), y, radius * cos(phi) - system.nominal_radius, y_rail, z_rail,
               x_track, side * y_track, z_track, -atan(slope), radius)
     return Contact(*map(float, values))

@@ -1,4 +1,5 @@
-"""A wheelset whose left side differs from its right one: profiles, nominal radius, inclination."""
+"""A wheelset whose left side differs from its right one: profiles, nominal radius,
+inclination of the rail."""
 
 import pickle
 from dataclasses import replace

@@ -56,7 +56,7 @@ def stations_along(system, state, side, station):
     if state.inputs[1] == 0.0:
         return np.zeros_like(station)
     sign, contact = (1.0 if side == "right" else MIRROR[0]), getattr(state, side).contact
-    y, z = rail_outline(system, side)
+    y, z = rail_outline(system, side, state)
     length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
     middle = np.interp(sign * contact.y_track, sign * y, length)
     at = np.interp(station + middle, length, sign * y)
@@ -65,9 +65,9 @@ def stations_along(system, state, side, station):
     return np.interp(at, (sign * y)[order], x[order]) - contact.x_track
 
 
-def rail_outline(system, side):
+def rail_outline(system, side, state=None):
     """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays
-    (n,)."""
+    (n,); of a rail that is moved as the inputs of ``state`` say."""
     chosen, rail = system.side_parameters(side), system.rail if side == "right" else system.left_rail
     placed = place_rail(rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
@@ -77,7 +77,16 @@ def rail_outline(system, side):
     fine = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, POINTS - 1)], POINTS)
     highest = min(_turned(rail, fine, angle).T, key=lambda point: point[1])
     y, z = _turned(rail, coarse, angle) - highest[:, None]
-    return (1.0 if side == "right" else MIRROR[0]) * (y + placed.y_track), z
+    y *= 1.0 if side == "right" else MIRROR[0]
+    top = placed.y_track if side == "right" else -placed.y_track
+    lateral, vertical, roll = (0.0, 0.0, 0.0) if state is None else _moved(state, side)
+    return (top + lateral + np.cos(roll) * y - np.sin(roll) * z,
+            vertical + np.sin(roll) * y + np.cos(roll) * z)
+
+
+def _moved(state, side):
+    """How the rail of a side is moved: to the right, down [m], and its roll [rad]."""
+    return [state[f"{side}.{name}"] for name in ("rail_lateral", "rail_vertical", "rail_roll")]
 
 
 def _turned(profile, y, angle):

@@ -71,7 +71,7 @@ def draw_contact(panel, system, state, side):
     """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact
     plane."""
     panel.set_label(f"{side} contact")
-    y_rail, z_rail = rail_outline(system, side)
+    y_rail, z_rail = rail_outline(system, side, state)
     panel.fill(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR, alpha=0.3, linewidth=0)
     panel.plot(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR)
     y_wheel, z_wheel = wheel_outline(system, state, side)

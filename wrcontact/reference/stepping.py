@@ -54,6 +54,7 @@ class HalfspaceSolver:
             self._outputs[:] = self._answer
             return self._status
         self._answer = None
+        self._refuse_rolled_rails()
         status = self._kernel.step()
         if status > Status.UNLOADED:
             return status
@@ -126,6 +127,12 @@ class HalfspaceSolver:
         return wheel_on_rail(self._sides[index], index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
                              yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
                              rail=self._moved(index))
+
+    def _refuse_rolled_rails(self):
+        for side, place in (("left", layout.IN_LEFT_RAIL_ROLL), ("right", layout.IN_RIGHT_RAIL_ROLL)):
+            if self._inputs[place] != 0.0:
+                raise ValueError(f"{side}.rail_roll is {self._inputs[place]:g} rad; permitted with the "
+                                 "normal_model 'halfspace' is 0")
 
     def _moved(self, index):
         """Displacement of a side's rail to the right and down [m]."""

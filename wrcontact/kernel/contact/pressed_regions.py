@@ -71,14 +71,14 @@ def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, 
     return 0
 
 
-def open_pressed_region(tables: Tables, region: Region, point: DeepPoint):
+def open_pressed_region(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0
     region.gap = 0.0
     region.rail = point.rail
     region.wheel = point.wheel
     z_rail, m = height_slope(tables.rail, point.rail)
-    incline_region(tables, region, m)
+    incline_region(tables, frame, region, m)
     return 0
 
 
@@ -110,7 +110,7 @@ def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: R
     for index in range(count):
         region = regions[index]
         point = overlap.points[index]
-        open_pressed_region(tables, region, point)
+        open_pressed_region(tables, frame, region, point)
         if index != contact or frame.sunk:
             give_own_frame(tables, frame, region, point)
         start_traces(frame, 0.0, point.rail, point.wheel)

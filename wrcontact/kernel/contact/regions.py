@@ -4,6 +4,7 @@ from math import sqrt
 from typing import Final
 
 from ..layout import LOAD_VERTICAL, Frame, Region, State, Tables
+from ..surface.rails import upright_share
 from .contact_plane import normal_gap
 
 #: Station of a bound that is none [m]; longer than any profile.
@@ -12,7 +13,7 @@ BEYOND: Final[float] = 1.0
 PLACE_TRACE: Final[float] = 1e-8
 
 
-def incline_region(tables: Tables, region: Region, slope: float):
+def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
     """Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
     follows from it."""
     cosine = 1.0 / sqrt(1.0 + slope * slope)
@@ -24,7 +25,7 @@ def incline_region(tables: Tables, region: Region, slope: float):
     region.sin = slope * cosine
     region.share = 1.0
     if tables.load == LOAD_VERTICAL:
-        region.share = cosine
+        region.share = upright_share(frame.place, cosine, region.sin)
     return 0
 
 
@@ -46,5 +47,5 @@ def open_contact_region(tables: Tables, frame: Frame, region: Region):
     region.curvature = frame.curvature
     region.low = -BEYOND
     region.high = BEYOND
-    incline_region(tables, region, frame.plane.sin / frame.plane.cos)
+    incline_region(tables, frame, region, frame.plane.sin / frame.plane.cos)
     return 0

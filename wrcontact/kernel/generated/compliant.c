@@ -15,6 +15,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     int64_t outcome;
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    leaning__set_reference(work, height);
     roll__place_both(work, left_tables, right_tables, roll);
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;

@@ -10,6 +10,7 @@
 #include "../native/spans.h"
 #include "damping.h"
 #include "layout.h"
+#include "leaning.h"
 #include "moving.h"
 #include "roll.h"
 #include "side.h"

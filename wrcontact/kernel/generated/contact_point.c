@@ -25,6 +25,11 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double cos_phi;
     double r;
     double lateral;
+    double x_track;
+    double pitch_sin;
+    double pitch_cos;
+    double ahead;
+    double z_track;
     int64_t touches;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
@@ -32,19 +37,32 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
     lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    x_track = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        rails__pitch_of_frame(&pitch_sin, &pitch_cos, work, place);
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
+        sin_phi = ahead;
+    }
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
+    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = x_track;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = z_track;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+    }
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
     regions__measure_contact(work, tables, state);
     regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);

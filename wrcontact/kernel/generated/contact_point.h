@@ -12,6 +12,7 @@
 #include "lateral_curvature.h"
 #include "layout.h"
 #include "locus.h"
+#include "rails.h"
 #include "regions.h"
 
 static const double contact_point__PARALLEL = 1e-06;

@@ -120,6 +120,7 @@ static inline int64_t first_root__is_beside_rail(array_double_1d work, array_dou
     if (low >= INT64_C(0))
     {
         reach = raster__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
+        reach += first_root__LEANING_SHARE * (*cspan_at(&tables, layout__TABLES_RADIUS)) * fabs((*cspan_at(&work, at + layout__PLACE_RAIL_SIN)));
         furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y)) + reach;
         if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)))
         {
@@ -139,35 +140,38 @@ static inline int64_t first_root__is_beside_rail(array_double_1d work, array_dou
 static inline int64_t first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll)
 {
     double sine;
+    double turned;
     double known;
     int64_t certain;
     sine = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW));
+    turned = fabs(roll) + first_root__LEANING_SHARE * double_max(2, fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN))), fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN))));
     certain = INT64_C(0);
     if (roll < 0.0)
     {
-        known = first_root__largest_lever_beyond(right_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
-        certain = first_root__is_beside_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, roll, sine);
+        known = first_root__largest_lever_beyond(right_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
+        certain = first_root__is_beside_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (certain == INT64_C(0))
         {
-            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), state, known, roll);
+            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), state, known, roll, turned);
         }
     }
     else
     {
-        known = first_root__largest_lever_beyond(left_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
-        certain = first_root__is_beside_rail(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, roll, sine);
+        known = first_root__largest_lever_beyond(left_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
+        certain = first_root__is_beside_rail(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (certain == INT64_C(0))
         {
-            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), state, known, roll);
+            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), state, known, roll, turned);
         }
     }
     return certain;
 }
 
 /* 1 if D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
- * ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m].
+ * ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
+ * either wheel is rolled against its rail by up to ``turned`` [rad].
  */
-static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll)
+static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll, double turned)
 {
     int64_t lower;
     double gap;
@@ -184,7 +188,7 @@ static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, arr
     followed = roll__follow_side(work, tables, lower, state);
     if (smallest_gap__search_side(work, tables, lower, state, followed) == INT64_C(1))
     {
-        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), roll, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
+        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), turned, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
         {
             certain = INT64_C(1);
         }

@@ -29,13 +29,14 @@ static const double first_root__APART = 1e-13;
 static const int64_t first_root__TRIALS = INT64_C(300);
 static const double first_root__TURNED_SHARE = 1.1;
 static const double first_root__YAWED_SHARE = 1.2;
+static const double first_root__LEANING_SHARE = 1.1;
 static const double first_root__FASTER = 1.5;
 
 static inline int64_t first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
 static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine);
 static inline int64_t first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine);
-static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll);
+static inline int64_t first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll, double turned);
 static inline int64_t first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll);
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll);
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll);

@@ -33,19 +33,9 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
     (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
     (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(0);
+    (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = 0.0;
     locus__turn_wheelset(work, place, roll);
-    return INT64_C(0);
-}
-
-/* Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
- * [m]: seen from the rail the wheelset moves the other way.
- */
-static inline int64_t locus__move_rail(array_double_1d work, int64_t place, double lateral, double vertical)
-{
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= lateral;
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += vertical;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
@@ -90,6 +80,8 @@ static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, i
     (*cspan_at(&work, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT));
     (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
     (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
+    (*cspan_at(&work, mirrored + layout__PLACE_LEANING)) = (double)(0);
+    (*cspan_at(&work, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
     locus__mirror_roll(work, place, mirrored);
     return INT64_C(0);
 }

@@ -20,7 +20,6 @@
 
 static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll);
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm);
-static inline int64_t locus__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
 static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius);
 static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);

@@ -63,7 +63,7 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
         (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
         }
     }
     return INT64_C(0);

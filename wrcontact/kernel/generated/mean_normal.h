@@ -10,6 +10,7 @@
 #include "cubic_table.h"
 #include "layout.h"
 #include "profile_table.h"
+#include "rails.h"
 
 static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
 

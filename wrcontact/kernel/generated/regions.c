@@ -21,7 +21,7 @@ static inline int64_t regions__incline_region(array_double_1d work, array_double
     (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = cosine;
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, region + layout__REGION_SIN)));
     }
     return INT64_C(0);
 }

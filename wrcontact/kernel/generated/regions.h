@@ -9,6 +9,7 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
+#include "rails.h"
 
 static const double regions__BEYOND = 1.0;
 static const double regions__PLACE_TRACE = 1e-08;

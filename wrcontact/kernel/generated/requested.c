@@ -44,12 +44,16 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     return status;
 }
 
-/* 1 if a rail is displaced further than RAIL_LIMIT, else 0. */
+/* 1 if a rail is displaced further than RAIL_LIMIT, or rolled further than RAIL_ROLL_LIMIT, else 0. */
 static inline int64_t requested__is_rail_far(array_double_1d work)
 {
     int64_t far;
     far = INT64_C(0);
     if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL))) > layout__RAIL_LIMIT))
+    {
+        far = INT64_C(1);
+    }
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT))
     {
         far = INT64_C(1);
     }

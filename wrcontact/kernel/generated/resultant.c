@@ -98,6 +98,7 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
     double x;
     double y;
     double z;
+    double down;
     double force_y;
     double force_z;
     double moment_x;
@@ -129,8 +130,14 @@ static inline int64_t resultant__add_part_force(array_double_1d work, array_doub
         normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
     }
     x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
-    y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_LATERAL)));
-    z = height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_VERTICAL));
+    rails__on_track(&y, &z, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, layout__TABLES_RAIL_Y)), (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, height);
+    y = mirror * y;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
+    {
+        down = normal_cos;
+        normal_cos = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN)) * normal_sin;
+        normal_sin = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS)) * normal_sin + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN)) * down;
+    }
     force_y = mirror * normal_sin * load;
     force_z = (-normal_cos) * load;
     (*cspan_at(&work, resultant + INT64_C(1))) += force_y;

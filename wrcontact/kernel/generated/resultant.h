@@ -19,6 +19,7 @@
 #include "arc_length.h"
 #include "layout.h"
 #include "profile_table.h"
+#include "rails.h"
 
 static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant);
 static inline int64_t resultant__clear_force(array_double_1d work, int64_t patch);

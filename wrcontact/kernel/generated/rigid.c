@@ -8,7 +8,7 @@
 /* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
  * moved little, or at those known near its lateral shift.
  */
-static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
     double shift;
     double guess;
@@ -37,7 +37,44 @@ static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, arra
             warm = INT64_C(1);
         }
     }
-    first_root__solve_roll(result_0, result_1, work, left_tables, right_tables, state, guess, warm);
+    leaning__set_reference(work, 0.0);
+    first_root__solve_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
+    if (((*status) == layout__VALID) && (leaning__is_leaning(work) == INT64_C(1)))
+    {
+        rigid__find_leaning_roll(roll, status, left_tables, right_tables, work, state, (*roll));
+    }
+    return 0;
+}
+
+/* Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
+ * on: both are sought together with the vertical shift.
+ */
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+{
+    int64_t i;
+    double height;
+    int64_t status;
+    leaning__open_reference(work, 0.0, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)));
+    for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
+    {
+        height = leaning__next_reference(work);
+        leaning__set_reference(work, height);
+        first_root__solve_roll(&roll, &status, work, left_tables, right_tables, state, roll, INT64_C(1));
+        if (status != layout__VALID)
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = status;
+            return 0;
+        }
+        if (leaning__note_reference(work, height, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)), leaning__RIGID_MET) == INT64_C(1))
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = layout__VALID;
+            return 0;
+        }
+    }
+    (*result_0_0001) = roll;
+    (*result_1_0001) = layout__NOT_CONVERGED;
     return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "../native/spans.h"
 #include "first_root.h"
 #include "layout.h"
+#include "leaning.h"
 #include "requested.h"
 #include "resultant.h"
 #include "side.h"
@@ -16,7 +17,8 @@
 
 static const double rigid__NEAR_SHIFT = 0.0002;
 
-static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 

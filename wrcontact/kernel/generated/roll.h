@@ -19,6 +19,7 @@
 #include "gap.h"
 #include "layout.h"
 #include "locus.h"
+#include "rails.h"
 #include "raster.h"
 #include "smallest_gap.h"
 
@@ -31,8 +32,10 @@ static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
 static const double roll__FOLLOW_REACH = 0.002;
 
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline int64_t roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state);

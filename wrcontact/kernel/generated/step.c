@@ -61,9 +61,62 @@ static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, arra
     double roll;
     int64_t status;
     elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, state, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+    if ((status <= layout__UNLOADED) && (leaning__is_leaning(work) == INT64_C(1)))
+    {
+        step__meet_leaning(&roll, &status, left_tables, right_tables, work, state, rigid_roll);
+    }
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = step__support_height(work);
     return status;
+}
+
+/* The height of a wheelset in equilibrium [m]: both sides' mean, which differ by rounding. */
+static inline double step__support_height(array_double_1d work)
+{
+    double result;
+    result = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
+    return result;
+}
+
+/* Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
+ * shift; the equilibrium for the rigid height as reference is known.
+ */
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll)
+{
+    double roll;
+    int64_t i;
+    double height;
+    int64_t status;
+    roll = rigid_roll;
+    leaning__open_reference(work, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)), step__support_height(work));
+    for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
+    {
+        height = leaning__next_reference(work);
+        leaning__set_reference(work, height);
+        roll__place_both(work, left_tables, right_tables, rigid_roll);
+        if (trial__turn_to(left_tables, right_tables, work, state, rigid_roll) == INT64_C(0))
+        {
+            (*result_0) = roll;
+            (*result_1_0001) = layout__OFF_PROFILE;
+            return 0;
+        }
+        elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, state, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+        if (status > layout__UNLOADED)
+        {
+            (*result_0) = roll;
+            (*result_1_0001) = status;
+            return 0;
+        }
+        if (leaning__note_reference(work, height, step__support_height(work), leaning__ELASTIC_MET) == INT64_C(1))
+        {
+            (*result_0) = roll;
+            (*result_1_0001) = status;
+            return 0;
+        }
+    }
+    (*result_0) = roll;
+    (*result_1_0001) = layout__NOT_CONVERGED;
+    return 0;
 }
 
 /* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as

@@ -14,12 +14,17 @@
 #include "compliant.h"
 #include "elastic.h"
 #include "layout.h"
+#include "leaning.h"
 #include "moving.h"
 #include "outline.h"
 #include "requested.h"
 #include "resultant.h"
 #include "rigid.h"
+#include "roll.h"
+#include "trial.h"
 
+static inline double step__support_height(array_double_1d work);
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
 static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
 static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__step_row(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);

@@ -145,7 +145,7 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
         (*cspan_at(&work, region + layout__REGION_SIN)) = sines / load;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
         }
         strip_patches__slant_region(work, region, index, moment / load, x / load);
     }

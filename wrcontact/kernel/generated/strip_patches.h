@@ -10,6 +10,7 @@
 #include "filling.h"
 #include "layout.h"
 #include "quadrature.h"
+#include "rails.h"
 #include "strip_edges.h"
 
 static const double strip_patches__CLOSE = 1e-06;

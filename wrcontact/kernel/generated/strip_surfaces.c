@@ -144,7 +144,7 @@ static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array
         (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = cosine;
+            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, strip + layout__STRIP_SIN)));
         }
     }
     return INT64_C(0);

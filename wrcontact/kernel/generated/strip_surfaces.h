@@ -15,6 +15,7 @@
 #include "longitudinal_curvature.h"
 #include "planes.h"
 #include "profile_table.h"
+#include "rails.h"
 #include "separation.h"
 #include "strip_layout.h"
 #include "strip_lengths.h"

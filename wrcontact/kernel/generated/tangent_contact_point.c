@@ -31,6 +31,16 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     double lateral_t;
     double lateral;
     double v3;
+    double x_track_t;
+    double x_track;
+    double pitch_sin;
+    double pitch_sin_t;
+    double pitch_cos;
+    double pitch_cos_t;
+    double ahead_t;
+    double ahead;
+    double z_track;
+    double z_track_t;
     double v4;
     double v4_t;
     int64_t touches;
@@ -44,6 +54,19 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     v2 = r * cos_phi;
     lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
+    x_track_t = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
+    x_track = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        tangent_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
+        ahead_t = sin_phi_t * pitch_cos + sin_phi * pitch_cos_t - (cos_phi_t * pitch_sin + cos_phi * pitch_sin_t);
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
+        cos_phi_t = sin_phi_t * pitch_sin + sin_phi * pitch_sin_t + (cos_phi_t * pitch_cos + cos_phi * pitch_cos_t);
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
+        sin_phi_t = ahead_t;
+        sin_phi = ahead;
+    }
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r_t * sin_phi + r * sin_phi_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y_t;
@@ -54,20 +77,25 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
+    tangent_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = x_track_t;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = x_track;
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track_t;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
     {
-        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)));
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -(y_track + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)));
+        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track_t;
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = z_track_t;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = z_track;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (-(rail_slope_t / (1.0 + rail_slope * rail_slope))) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+    }
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
     tangent_regions__measure_contact_t(work, work_t, tables, state);

@@ -37,6 +37,10 @@ static inline int64_t tangent_contact_rates__touching_constraint_t(array_double_
     double height_t;
     double slope;
     double slope_t;
+    double normal_y;
+    double normal_y_t;
+    double normal_z;
+    double normal_z_t;
     double v5;
     double v6;
     double v7;
@@ -60,20 +64,43 @@ static inline int64_t tangent_contact_rates__touching_constraint_t(array_double_
     z_t = arm_t * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + arm * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) + ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v4 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)));
     z = arm * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v4 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
     tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, place + layout__PLACE_SHIFT)) + y - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + y_t);
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = mirror_t * slope + mirror * slope_t;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = mirror * slope;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = 0.0;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = -1.0;
-    v5 = -mirror;
-    v6 = y + z * slope;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = (-mirror_t) * v6 + v5 * (y_t + (z_t * slope + z * slope_t));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = v5 * v6;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = x_t;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = x;
+    tangent_contact_rates__turned_by_rail_t(&normal_y, &normal_y_t, &normal_z, &normal_z_t, work, work_t, place, slope, slope_t, -1.0, 0.0);
+    tangent_contact_rates__turned_by_rail_t(&y, &y_t, &z, &z_t, work, work_t, place, y, y_t, z, z_t);
+    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = mirror_t * normal_y + mirror * normal_y_t;
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = mirror * normal_y;
+    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = normal_z_t;
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
+    v5 = y * normal_z - z * normal_y;
+    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = mirror_t * v5 + mirror * (y_t * normal_z + y * normal_z_t - (z_t * normal_y + z * normal_y_t));
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = mirror * v5;
+    v6 = -x;
+    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = (-x_t) * normal_z + v6 * normal_z_t;
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = v6 * normal_z;
     v7 = mirror * x;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = (mirror_t * x + mirror * x_t) * slope + v7 * slope_t;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = v7 * slope;
+    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = (mirror_t * x + mirror * x_t) * normal_y + v7 * normal_y_t;
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = v7 * normal_y;
     return INT64_C(0);
+}
+
+/* Tangent of ``turned_by_rail``. */
+static inline int64_t tangent_contact_rates__turned_by_rail_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t)
+{
+    double across_t;
+    double across;
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        across_t = y_t;
+        across = y;
+        y_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z_t);
+        y = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z;
+        z_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across_t + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z_t);
+        z = (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z;
+    }
+    (*result_0) = y;
+    (*result_1) = y_t;
+    (*result_2) = z;
+    (*result_3) = z_t;
+    return 0;
 }
 
 /* Tangent of ``loaded_constraint``. */

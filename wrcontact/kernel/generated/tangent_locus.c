@@ -35,21 +35,11 @@ static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, arra
     (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
     (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
     (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
+    (*cspan_at(&work_t, place + layout__PLACE_LEANING)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(0);
+    (*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = 0.0;
     tangent_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
-    return INT64_C(0);
-}
-
-/* Tangent of ``move_rail``. */
-static inline int64_t tangent_locus__move_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral, double lateral_t, double vertical, double vertical_t)
-{
-    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - lateral_t;
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - lateral;
-    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) + vertical_t;
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT)) + vertical;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = lateral_t;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = vertical_t;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
@@ -129,6 +119,10 @@ static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_
     (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
     (*cspan_at(&work_t, mirrored + layout__PLACE_YAWED)) = 0.0;
     (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
+    (*cspan_at(&work_t, mirrored + layout__PLACE_LEANING)) = 0.0;
+    (*cspan_at(&work, mirrored + layout__PLACE_LEANING)) = (double)(0);
+    (*cspan_at(&work_t, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
+    (*cspan_at(&work, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
     tangent_locus__mirror_roll_t(work, work_t, place, mirrored);
     return INT64_C(0);
 }

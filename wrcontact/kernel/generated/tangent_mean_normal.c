@@ -44,6 +44,8 @@ static inline int64_t tangent_mean_normal__mean_normal_t(array_double_1d work, a
     double v8_t;
     double v10;
     double v11;
+    double v12;
+    double v12_t;
     tangent_cubic_table__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
     arc_t = v1_t;
     arc = v1;
@@ -108,8 +110,9 @@ static inline int64_t tangent_mean_normal__mean_normal_t(array_double_1d work, a
         (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_COS));
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+            tangent_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v12_t;
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = v12;
         }
     }
     return INT64_C(0);

@@ -13,6 +13,8 @@ static inline int64_t tangent_regions__incline_region_t(array_double_1d work, ar
     double v3;
     double cosine_t;
     double cosine;
+    double v4;
+    double v4_t;
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -34,8 +36,9 @@ static inline int64_t tangent_regions__incline_region_t(array_double_1d work, ar
     (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = cosine_t;
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = cosine;
+        tangent_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
     }
     return INT64_C(0);
 }

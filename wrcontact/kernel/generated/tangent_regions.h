@@ -10,6 +10,7 @@
 #include "layout.h"
 #include "regions.h"
 #include "tangent_contact_plane.h"
+#include "tangent_rails.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);

@@ -10,6 +10,7 @@
 #include "layout.h"
 #include "tangent_arc_length.h"
 #include "tangent_profile_table.h"
+#include "tangent_rails.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work, array_double_1d work_t, int64_t resultant);

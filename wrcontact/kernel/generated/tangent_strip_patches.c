@@ -173,7 +173,9 @@ static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work,
     double v2;
     double v3;
     double v4;
+    double v4_t;
     double v5;
+    double v6;
     load_t = 0.0;
     load = 0.0;
     moment_t = 0.0;
@@ -221,12 +223,13 @@ static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work,
         (*cspan_at(&work, region + layout__REGION_SIN)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_COS));
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
+            tangent_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
         }
-        v4 = moment / load;
-        v5 = x / load;
-        tangent_strip_patches__slant_region_t(work, work_t, region, index, v4, (moment_t - v4 * load_t) / load, v5, (x_t - v5 * load_t) / load);
+        v5 = moment / load;
+        v6 = x / load;
+        tangent_strip_patches__slant_region_t(work, work_t, region, index, v5, (moment_t - v5 * load_t) / load, v6, (x_t - v6 * load_t) / load);
     }
     return INT64_C(0);
 }

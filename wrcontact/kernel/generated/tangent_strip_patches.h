@@ -12,6 +12,7 @@
 #include "strip_patches.h"
 #include "tangent_filling.h"
 #include "tangent_quadrature.h"
+#include "tangent_rails.h"
 #include "tangent_rates.h"
 #include "tangent_strip_edges.h"
 

@@ -186,6 +186,8 @@ static inline int64_t tangent_strip_surfaces__incline_strips_t(array_double_1d w
     double cosine_t;
     double cosine;
     double v6;
+    double v7;
+    double v7_t;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
@@ -212,8 +214,9 @@ static inline int64_t tangent_strip_surfaces__incline_strips_t(array_double_1d w
         (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = cosine_t;
-            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = cosine;
+            tangent_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, strip + layout__STRIP_SIN)), (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
+            (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = v7_t;
+            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = v7;
         }
     }
     return INT64_C(0);

@@ -17,6 +17,7 @@
 #include "tangent_longitudinal_curvature.h"
 #include "tangent_planes.h"
 #include "tangent_profile_table.h"
+#include "tangent_rails.h"
 #include "tangent_rates.h"
 #include "tangent_separation.h"
 #include "tangent_strip_layout.h"

@@ -8,9 +8,31 @@
 /* Tangent of ``place_moving``. */
 static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
+    double turning;
+    tangent_roll__place_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+    {
+        tangent_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
+    }
+    else
+    {
+        turning = fabs((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) + fabs((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
+        tangent_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
+        if (turning != 0.0)
+        {
+            tangent_roll__lean_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``begin_yaw``. */
+static inline int64_t tangent_wheelset_rules__begin_yaw_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+{
     double yaw_t;
     double yaw;
-    tangent_roll__place_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+    int64_t index;
+    int64_t place;
     yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
     yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
     if ((yaw == 0.0) && (yaw_t != 0.0))
@@ -27,6 +49,17 @@ static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d lef
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
         (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
+        for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+        {
+            place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+            if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+            {
+                (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+                (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+                (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+                (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+            }
+        }
         tangent_roll__turn_both_t(work, work_t, roll, roll_t);
     }
     return INT64_C(0);
@@ -99,6 +132,62 @@ static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double
     return 0;
 }
 
+/* Tangent of ``follow_gaps``. */
+static inline int64_t tangent_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
+{
+    double left;
+    double left_t;
+    double mismatch;
+    double mismatch_t;
+    double rate;
+    double rate_t;
+    double right;
+    double right_t;
+    tangent_leaning__set_reference_t(work, work_t, height, height_t);
+    tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
+    tangent_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), 0.0);
+    tangent_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), 0.0);
+    (*result_0) = left - height;
+    (*result_1) = left_t - height_t;
+    (*result_2) = right - height;
+    (*result_3) = right_t - height_t;
+    return 0;
+}
+
+/* Tangent of ``follow_leaning_roll``. */
+static inline int64_t tangent_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+{
+    double height;
+    double left;
+    double left_t;
+    double right;
+    double right_t;
+    double residual_left;
+    double residual_right;
+    double left_height;
+    double right_height;
+    double left_roll;
+    double right_roll;
+    double determinant;
+    double height_rate;
+    (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
+    height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
+    tangent_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 0.0, height, 0.0);
+    residual_left = left_t;
+    residual_right = right_t;
+    tangent_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 0.0, height, 1.0);
+    left_height = left_t - residual_left;
+    right_height = right_t - residual_right;
+    tangent_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 1.0, height, 0.0);
+    left_roll = left_t - residual_left;
+    right_roll = right_t - residual_right;
+    determinant = left_height * right_roll - right_height * left_roll;
+    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
+    (*roll_rate) = (residual_left * right_height - residual_right * left_height) / determinant;
+    tangent_leaning__set_reference_t(work, work_t, height, height_rate);
+    return 0;
+}
+
 /* Tangent of ``follow_position``. */
 static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
 {
@@ -106,6 +195,7 @@ static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d 
     double v1_t;
     double v2;
     double v2_t;
+    tangent_leaning__set_reference_t(work, work_t, height, height_t);
     tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
     tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
     tangent_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
@@ -177,6 +267,7 @@ static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    tangent_leaning__set_reference_t(work, work_t, height, height_t);
     tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
@@ -201,7 +292,9 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
     double v1_t;
     double roll_t;
     double roll;
-    int64_t n2;
+    double v2;
+    double v2_t;
+    int64_t n3;
     int64_t outcome;
     mode = (int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE)));
     outcome = INT64_C(0);
@@ -210,6 +303,12 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
         tangent_wheelset_rules__follow_roll_t(&v1, &v1_t, left_tables, right_tables, work, work_t);
         roll_t = v1_t;
         roll = v1;
+        if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+        {
+            tangent_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, left_tables, right_tables, work, work_t);
+            roll_t = v2_t;
+            roll = v2;
+        }
         tangent_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
         tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
         tangent_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
@@ -217,8 +316,8 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        n2 = tangent_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t, state);
-        outcome = n2;
+        n3 = tangent_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t, state);
+        outcome = n3;
     }
     if (mode == layout__MODE_COMPLIANT)
     {

@@ -18,7 +18,7 @@ from ...interface.motion import (  # noqa: F401
 )
 from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT  # noqa: F401
 from ...interface.parameters import KERNEL_PARAMETERS
-from ...interface.rails import RAIL_LIMIT  # noqa: F401
+from ...interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT  # noqa: F401
 from ...methods import FAMILIES as _FAMILIES
 from ...methods.normal_model import Resolution as _Resolution
 from .record import Float, record, size

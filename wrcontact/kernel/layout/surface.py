@@ -75,7 +75,8 @@ class CubicTable:
 
 @record
 class Place:
-    """Where a right wheel is placed over its rail, as :mod:`locus` reads it."""
+    """Where a right wheel is placed over its rail, as :mod:`locus` reads it: in the frame that moves with the
+    rail, in which the rail is in its nominal place."""
 
     shift: float                    # lateral shift of the wheelset against the rail's nominal place [m]
     sin_yaw: float
@@ -91,6 +92,13 @@ class Place:
     yawed: bool
     rail_lateral: float             # displacement of its rail, to the field side [m]
     rail_vertical: float            # and down
+    leaning: bool                   # whether its rail has a roll; the rest counts only then, but rail_sin
+    rail_roll: float                # field side down [rad]
+    rail_sin: float                 # and its sine, else zero
+    rail_cos: float
+    track_sin_yaw: float            # of the wheelset's yaw in the track
+    track_cos_yaw: float
+    reference: float                # the vertical shift for which the place holds [m]
 
 
 PLACE_SIZE: Final[int] = size(Place)

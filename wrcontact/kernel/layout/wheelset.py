@@ -49,6 +49,15 @@ class Bracket:
 
 
 @record
+class Reference:
+    """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
+
+    height: float                   # the last one [m]
+    residual: float                 # how much lower the contact was found [m]
+    slope: float                    # how that follows the height [-]
+
+
+@record
 class State:
     """What one step leaves for the next, and counters; the head of its array."""
 

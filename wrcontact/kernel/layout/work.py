@@ -7,7 +7,7 @@ from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import RollTrials, Sides
-from .wheelset import Bracket, Broyden, Supports
+from .wheelset import Bracket, Broyden, Reference, Supports
 
 
 @record
@@ -45,3 +45,4 @@ class Work:
     roll_bracket: Bracket
     trials: RollTrials
     motion: Motion
+    reference: Reference

@@ -11,7 +11,7 @@ it does not move the surface of a round wheel, whose normal goes through the axl
 
 from math import cos, sin
 
-from ..layout import Constraint, Inputs, Motion, SideOutputs, SideSearch, Tables
+from ..layout import Constraint, Inputs, Motion, Place, SideOutputs, SideSearch, Tables
 from ..surface.locus import around_wheel
 from ..surface.profile_table import height_slope
 
@@ -29,13 +29,25 @@ def touching_constraint(tables: Tables, side: SideSearch, mirror: float, constra
     y = place.sin_yaw * r * sin_phi + place.cos_yaw * lateral
     z = arm * place.sin_roll + r * cos_phi * place.cos_roll
     height, slope = height_slope(tables.rail, place.shift + y - tables.rail_y)
-    # of a right wheel the normal is (0, slope, -1); a mirror changes y, and of a moment x and z
-    constraint.y = mirror * slope
-    constraint.z = -1.0
-    constraint.moment_x = -mirror * (y + z * slope)
-    constraint.moment_y = x
-    constraint.moment_z = mirror * x * slope
+    # of a right wheel the normal is (0, slope, -1) where its rail has no roll
+    normal_y, normal_z = turned_by_rail(place, slope, -1.0)
+    y, z = turned_by_rail(place, y, z)
+    # a mirror changes y, and of a moment x and z
+    constraint.y = mirror * normal_y
+    constraint.z = normal_z
+    constraint.moment_x = mirror * (y * normal_z - z * normal_y)
+    constraint.moment_y = -x * normal_z
+    constraint.moment_z = mirror * x * normal_y
     return 0
+
+
+def turned_by_rail(place: Place, y: float, z: float):
+    """Components to the field side and down, in the track, of a vector in the frame of the rail."""
+    if place.leaning:
+        across = y
+        y = place.rail_cos * across - place.rail_sin * z
+        z = place.rail_sin * across + place.rail_cos * z
+    return y, z
 
 
 def loaded_constraint(side: SideOutputs, constraint: Constraint):

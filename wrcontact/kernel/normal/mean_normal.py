@@ -5,6 +5,7 @@ from math import sqrt
 from ..layout import LOAD_VERTICAL, Frame, Nodes, Region, Tables
 from ..surface.cubic_table import read_cubic
 from ..surface.profile_table import height_slope
+from ..surface.rails import upright_share
 
 
 def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
@@ -39,5 +40,5 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
         region.cos = cosines / total
         region.sin = sines / total
         if tables.load == LOAD_VERTICAL:
-            region.share = region.cos
+            region.share = upright_share(frame.place, region.cos, region.sin)
     return 0

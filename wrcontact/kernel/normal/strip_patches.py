@@ -9,6 +9,7 @@ from ..layout import (
     SOLVED_PATCH_LIMIT,
     Contact,
     Equations,
+    Frame,
     Region,
     Regions,
     SolvedPatch,
@@ -21,6 +22,7 @@ from ..layout import (
 )
 from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import root_integral
+from ..surface.rails import upright_share
 from .strip_edges import run_edge, run_end
 
 #: Strips of a region that lie closer together than this have no slant [m].
@@ -32,7 +34,7 @@ def fill_from_strips(tables: Tables, contact: Contact, count: int):
     problem = contact.strip_problem
     strips = problem.strips
     for index in range(count):
-        load_region(tables, contact.regions[index], problem, index)
+        load_region(tables, contact.frame, contact.regions[index], problem, index)
     solved = contact.solved
     clear_patches(solved)
     first = 0
@@ -100,7 +102,7 @@ def add_strip(patch: SolvedPatch, strip: Strip, to: SolvedStrip):
     return 0
 
 
-def load_region(tables: Tables, region: Region, problem: StripProblem, index: int):
+def load_region(tables: Tables, frame: Frame, region: Region, problem: StripProblem, index: int):
     """What the strips of the region with number ``index`` carry: load, moment, the mean direction of the
     force, and the slant of the line through their middles."""
     strips = problem.strips
@@ -125,7 +127,7 @@ def load_region(tables: Tables, region: Region, problem: StripProblem, index: in
         region.cos = cosines / load
         region.sin = sines / load
         if tables.load == LOAD_VERTICAL:
-            region.share = region.cos
+            region.share = upright_share(frame.place, region.cos, region.sin)
         slant_region(region, problem, index, moment / load, x / load)
     return 0
 

@@ -27,6 +27,7 @@ from ..layout import (
 from ..surface.locus import outline_x
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope, height_slope_bend
+from ..surface.rails import upright_share
 from .hertz import hertz_coefficients, middle_slant, skewed_coefficients, table_value
 from .strip_layout import length_before
 from .strip_lengths import TESTED, gap_beside, limit_lengths
@@ -129,7 +130,7 @@ def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
         strip.cos = cosine
         strip.counted = 1.0
         if tables.load == LOAD_VERTICAL:
-            strip.counted = cosine
+            strip.counted = upright_share(frame.place, cosine, strip.sin)
     return 0
 
 

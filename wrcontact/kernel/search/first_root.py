@@ -41,6 +41,9 @@ TRIALS: Final[int] = 300
 #: How a lever changes with roll and yaw, as shares of what slopes change at first order [-].
 TURNED_SHARE: Final[float] = 1.1
 YAWED_SHARE: Final[float] = 1.2
+#: A rolled rail sees the wheelset rolled the other way: shares of its roll and of the wheel's radius by which
+#: that changes levers and places at most [-].
+LEANING_SHARE: Final[float] = 1.1
 #: Share by which the outline's slope changes faster along a yawed wheel than the profile's [-].
 FASTER: Final[float] = 1.5
 
@@ -113,6 +116,7 @@ def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: f
     beside = 1
     if low >= 0:
         reach = REACH_SHARE * sine * sine * tables.radius * scan.steepest
+        reach += LEANING_SHARE * tables.radius * fabs(at.rail_sin)
         furthest = at.shift + tables.arm + scan.nodes[high].y + reach
         if furthest > tables.rail_y + tables.rail.start:
             beside = 0
@@ -128,23 +132,26 @@ def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, 
     roll, for which that one is searched.
     """
     sine = sides[1].place.sin_yaw
+    turned = fabs(roll) + LEANING_SHARE * max(fabs(sides[0].place.rail_sin), fabs(sides[1].place.rail_sin))
     certain = 0
     if roll < 0.0:
-        known = largest_lever_beyond(right_tables, sides[1].best_y, roll, sine)
-        certain = is_beside_rail(left_tables, sides[0].place, known, roll, sine)
+        known = largest_lever_beyond(right_tables, sides[1].best_y, turned, sine)
+        certain = is_beside_rail(left_tables, sides[0].place, known, turned, sine)
         if certain == 0:
-            certain = falls_from_zero_roll(left_tables, sides, 0, state, known, roll)
+            certain = falls_from_zero_roll(left_tables, sides, 0, state, known, roll, turned)
     else:
-        known = largest_lever_beyond(left_tables, sides[0].best_y, roll, sine)
-        certain = is_beside_rail(right_tables, sides[1].place, known, roll, sine)
+        known = largest_lever_beyond(left_tables, sides[0].best_y, turned, sine)
+        certain = is_beside_rail(right_tables, sides[1].place, known, turned, sine)
         if certain == 0:
-            certain = falls_from_zero_roll(right_tables, sides, 1, state, known, roll)
+            certain = falls_from_zero_roll(right_tables, sides, 1, state, known, roll, turned)
     return certain
 
 
-def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State, known: float, roll: float):
+def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State, known: float, roll: float,
+                         turned: float):
     """1 if D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
-    ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m]."""
+    ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
+    either wheel is rolled against its rail by up to ``turned`` [rad]."""
     lower = sides[index]
     gap = lower.best
     y = lower.best_y
@@ -153,7 +160,7 @@ def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State,
     turn_both(sides, 0.0)
     followed = follow_side(tables, lower, state)
     if search_side(tables, lower, state, followed) == 1:
-        if known + largest_lever_beyond(tables, lower.best_y, roll, sides[1].place.sin_yaw) < 0.0:
+        if known + largest_lever_beyond(tables, lower.best_y, turned, sides[1].place.sin_yaw) < 0.0:
             certain = 1
     turn_both(sides, roll)
     lower.best = gap

@@ -12,9 +12,21 @@ smaller minima take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, SideSearch, Sides, State, Tables
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    VALID,
+    Inputs,
+    Place,
+    SideSearch,
+    Sides,
+    State,
+    Tables,
+)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
-from ..surface.locus import mirror_place, mirror_roll, move_rail, place_wheelset, turn_wheelset
+from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from ..surface.rails import lean_rail, move_rail, turn_leaning
 from .cells import SHARP
 from .raster import rail_below
 from .smallest_gap import search_side
@@ -42,13 +54,36 @@ def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides:
     mirror_place(sides[1].place, sides[0].place, left_tables.radius)
     move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
+    if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
+        lean_both(left_tables, right_tables, inputs, sides, roll)
+    return 0
+
+
+def lean_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):
+    """Let both rails have their roll below wheels that are placed at ``roll``."""
+    lean_rail(sides[1].place, right_tables.rail_y, inputs.right_rail_roll)
+    lean_rail(sides[0].place, left_tables.rail_y, -inputs.left_rail_roll)
+    turn_both(sides, roll)
     return 0
 
 
 def turn_both(sides: Sides, roll: float):
     """Both placed wheels at another ``roll``."""
+    if sides[1].place.leaning:
+        restore_yaw(sides[1].place)
+        restore_yaw(sides[0].place)
     turn_wheelset(sides[1].place, roll)
     mirror_roll(sides[1].place, sides[0].place)
+    if sides[1].place.leaning:
+        turn_leaning(sides[1].place)
+        turn_leaning(sides[0].place)
+    return 0
+
+
+def restore_yaw(place: Place):
+    """The yaw in the track, where that in the frame of a rolled rail stood."""
+    place.sin_yaw = place.track_sin_yaw
+    place.cos_yaw = place.track_cos_yaw
     return 0
 
 

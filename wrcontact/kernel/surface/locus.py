@@ -32,17 +32,9 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
     place.arm = arm
     place.rail_lateral = 0.0
     place.rail_vertical = 0.0
+    place.leaning = False
+    place.rail_sin = 0.0
     turn_wheelset(place, roll)
-    return 0
-
-
-def move_rail(place: Place, lateral: float, vertical: float):
-    """Let the rail below a placed wheel be moved to the field side by ``lateral`` and down by ``vertical``
-    [m]: seen from the rail the wheelset moves the other way."""
-    place.shift -= lateral
-    place.height += vertical
-    place.rail_lateral = lateral
-    place.rail_vertical = vertical
     return 0
 
 
@@ -76,6 +68,8 @@ def mirror_place(place: Place, mirrored: Place, radius: float):
     mirrored.height = place.height
     mirrored.arm = place.arm
     mirrored.yawed = place.yawed
+    mirrored.leaning = False
+    mirrored.rail_sin = 0.0
     mirror_roll(place, mirrored)
     return 0
 

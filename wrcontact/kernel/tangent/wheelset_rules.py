@@ -15,11 +15,12 @@ rules of their rooms, this file the wheelset and the whole step, ``differentiate
 from math import cos, fabs, sin
 
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
-from ..search.roll import place_both, turn_both
+from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import load_at_height
 from ..wheelset.damping import is_damped
 from ..wheelset.elastic import UNBALANCED
+from ..wheelset.leaning import set_reference
 from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
@@ -31,6 +32,18 @@ from .intrinsics import held, moving, rate_of, seeded
 def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
     place_both(left_tables, right_tables, work.inputs, work.sides, roll)
+    if work.sides[1].place.leaning:
+        begin_yaw(work, roll)
+    else:
+        turning = fabs(rate_of(work.inputs.left_rail_roll)) + fabs(rate_of(work.inputs.right_rail_roll))
+        begin_yaw(work, roll)
+        if turning != 0.0:
+            lean_both(left_tables, right_tables, work.inputs, work.sides, roll)
+    return 0
+
+
+def begin_yaw(work: Work, roll: float):
+    """Place wheels that begin to yaw as yawed ones."""
     yaw = work.inputs.yaw
     if yaw == 0.0 and rate_of(yaw) != 0.0:
         work.sides[1].place.sin_yaw = sin(yaw)
@@ -39,6 +52,11 @@ def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
         work.sides[0].place.sin_yaw = -sin(yaw)
         work.sides[0].place.cos_yaw = cos(yaw)
         work.sides[0].place.yawed = True
+        for index in range(2):
+            place = work.sides[index].place
+            if place.leaning:
+                place.track_sin_yaw = place.sin_yaw
+                place.track_cos_yaw = place.cos_yaw
         turn_both(work.sides, roll)
     return 0
 
@@ -71,9 +89,41 @@ def follow_roll(left_tables: Tables, right_tables: Tables, work: Work):
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
+def follow_gaps(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float):
+    """How much lower than ``height`` [m] the smallest gaps of the left and the right side are [m], for this
+    ``roll`` and this reference."""
+    set_reference(work.sides, height)
+    place_moving(left_tables, right_tables, work, roll)
+    left, mismatch, rate = vertical_gap(left_tables, work.sides[0].place, held(work.sides[0].best_y))
+    right, mismatch, rate = vertical_gap(right_tables, work.sides[1].place, held(work.sides[1].best_y))
+    return left - height, right - height
+
+
+def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
+    """The rigid roll [rad] over rolled rails: roll and vertical shift let both gaps end at the reference,
+    which moves with them."""
+    roll = held(work.outputs.roll)
+    height = held(work.outputs.vertical_shift)
+    left, right = follow_gaps(left_tables, right_tables, work, roll, height)
+    residual_left = rate_of(left)
+    residual_right = rate_of(right)
+    left, right = follow_gaps(left_tables, right_tables, work, roll, seeded(height, 1.0))
+    left_height = rate_of(left) - residual_left
+    right_height = rate_of(right) - residual_right
+    left, right = follow_gaps(left_tables, right_tables, work, seeded(roll, 1.0), height)
+    left_roll = rate_of(left) - residual_left
+    right_roll = rate_of(right) - residual_right
+    determinant = left_height * right_roll - right_height * left_roll
+    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
+    roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
+    set_reference(work.sides, seeded(height, height_rate))
+    return seeded(roll, roll_rate)
+
+
 def follow_position(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
                     height: float):
     """Both sides of an elastic wheelset at ``roll`` and ``height``, each under its load."""
+    set_reference(work.sides, height)
     place_moving(left_tables, right_tables, work, roll)
     follow_minimum(left_tables, work, 0)
     balance_side(left_tables, work, state, 0, side_force(work.inputs, 0), height)
@@ -119,6 +169,7 @@ def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, stat
     """Both sides of a wheelset at the height and roll of the inputs."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
+    set_reference(work.sides, height)
     place_moving(left_tables, right_tables, work, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height
@@ -138,6 +189,8 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: 
     outcome = 0
     if mode == MODE_RIGID:
         roll = follow_roll(left_tables, right_tables, work)
+        if work.sides[1].place.leaning:
+            roll = follow_leaning_roll(left_tables, right_tables, work)
         place_moving(left_tables, right_tables, work, roll)
         follow_minimum(left_tables, work, 0)
         follow_minimum(right_tables, work, 1)

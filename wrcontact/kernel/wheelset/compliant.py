@@ -7,6 +7,7 @@ from ..layout import OFF_PROFILE, VALID, State, Tables, Work
 from ..search.roll import follow_side, place_both, search_both
 from ..search.starts import nearest_start
 from .damping import is_damped
+from .leaning import set_reference
 from .moving import open_given_motion
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
@@ -20,6 +21,7 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
+    set_reference(work.sides, height)
     place_both(left_tables, right_tables, work.inputs, work.sides, roll)
     work.outputs.roll = roll
     work.outputs.vertical_shift = height

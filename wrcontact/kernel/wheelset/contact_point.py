@@ -9,6 +9,7 @@ from ..contact.regions import measure_contact, open_contact_region
 from ..layout import LATERAL_ADAPTIVE, Profile, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.locus import around_wheel
+from ..surface.rails import on_track, pitch_of_frame
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
 #: none.  Within a profile they may differ by CORNER, as at the last digits of printed joints.
@@ -34,17 +35,26 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     sin_phi, cos_phi = around_wheel(place, slope)
     r = tables.radius + z
     lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll
+    x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
+    if place.leaning:
+        pitch_sin, pitch_cos = pitch_of_frame(place)
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos
+        sin_phi = ahead
     out.x_wheel = r * sin_phi
     out.y_wheel = y
     out.z_wheel = r * cos_phi - tables.radius
     out.y_rail = frame.rail.y
     out.z_rail = frame.rail.z
-    out.x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
-    out.y_track = y_track + place.rail_lateral
+    y_track, z_track = on_track(place, tables.rail_y, y_track, frame.rail.z)
+    out.x_track = x_track
+    out.y_track = y_track
     if index == 0:
-        out.y_track = -(y_track + place.rail_lateral)
-    out.z_track = frame.rail.z + place.rail_vertical
+        out.y_track = -y_track
+    out.z_track = z_track
     out.contact_angle = -atan(rail_slope)
+    if place.leaning:
+        out.contact_angle = -atan(rail_slope) - place.rail_roll
     out.rolling_radius = r
     measure_contact(tables, frame, state)
     open_contact_region(tables, frame, region)

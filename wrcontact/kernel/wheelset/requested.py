@@ -12,6 +12,7 @@ from ..layout import (
     MODE_RIGID,
     OFF_PROFILE,
     RAIL_LIMIT,
+    RAIL_ROLL_LIMIT,
     ROLL_LIMIT,
     SIDE_PENETRATION,
     SIDE_SIZE,
@@ -48,9 +49,11 @@ def check_inputs(tables: Tables, inputs: Inputs):
 
 
 def is_rail_far(inputs: Inputs):
-    """1 if a rail is displaced further than RAIL_LIMIT, else 0."""
+    """1 if a rail is displaced further than RAIL_LIMIT, or rolled further than RAIL_ROLL_LIMIT, else 0."""
     far = 0
     if fabs(inputs.left_rail_lateral) > RAIL_LIMIT or fabs(inputs.right_rail_lateral) > RAIL_LIMIT:
+        far = 1
+    if fabs(inputs.left_rail_roll) > RAIL_ROLL_LIMIT or fabs(inputs.right_rail_roll) > RAIL_ROLL_LIMIT:
         far = 1
     if fabs(inputs.left_rail_vertical) > RAIL_LIMIT or fabs(inputs.right_rail_vertical) > RAIL_LIMIT:
         far = 1

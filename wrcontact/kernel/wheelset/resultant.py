@@ -27,6 +27,7 @@ from ..layout import (
     Tables,
 )
 from ..surface.profile_table import height_slope
+from ..surface.rails import on_track
 
 
 def clear_resultant(resultant: Resultant):
@@ -93,8 +94,12 @@ def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart
         normal_cos = block.cos
         normal_sin = block.sin
     x = block.x_track + block.slant * away
-    y = mirror * (tables.rail_y + abscissa + frame.place.rail_lateral)
-    z = height + frame.place.rail_vertical
+    y, z = on_track(frame.place, tables.rail_y, tables.rail_y + abscissa, height)
+    y = mirror * y
+    if frame.place.leaning:
+        down = normal_cos
+        normal_cos = frame.place.rail_cos * down - frame.place.rail_sin * normal_sin
+        normal_sin = frame.place.rail_cos * normal_sin + frame.place.rail_sin * down
     force_y = mirror * normal_sin * load
     force_z = -normal_cos * load
     resultant[1] += force_y

@@ -3,9 +3,18 @@
 from math import fabs
 from typing import Final
 
-from ..layout import VALID, State, Tables, Work
+from ..layout import NOT_CONVERGED, VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.starts import nearest_start
+from .leaning import (
+    MEETINGS,
+    RIGID_MET,
+    is_leaning,
+    next_reference,
+    note_reference,
+    open_reference,
+    set_reference,
+)
 from .requested import is_requested, side_force
 from .resultant import clear_resultant
 from .side import solve_side
@@ -33,7 +42,28 @@ def find_roll(left_tables: Tables, right_tables: Tables, work: Work, state: Stat
             work.sides[0].best_y = start.left
             work.sides[1].best_y = start.right
             warm = 1
-    return solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state, guess, warm)
+    set_reference(work.sides, 0.0)
+    roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state, guess,
+                              warm)
+    if status == VALID and is_leaning(work.sides) == 1:
+        roll, status = find_leaning_roll(left_tables, right_tables, work, state, roll)
+    return roll, status
+
+
+def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
+    """Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
+    on: both are sought together with the vertical shift."""
+    open_reference(work.reference, 0.0, work.sides[1].best)
+    for i in range(MEETINGS):
+        height = next_reference(work.reference)
+        set_reference(work.sides, height)
+        roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state,
+                                  roll, 1)
+        if status != VALID:
+            return roll, status
+        if note_reference(work.reference, height, work.sides[1].best, RIGID_MET) == 1:
+            return roll, VALID
+    return roll, NOT_CONVERGED
 
 
 def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):

@@ -10,6 +10,8 @@ from ..layout import (
     MODE_COMPLIANT,
     MODE_ELASTIC,
     MODE_RIGID,
+    NOT_CONVERGED,
+    OFF_PROFILE,
     UNLOADED,
     VALID,
     WORK_INPUTS,
@@ -19,12 +21,23 @@ from ..layout import (
     Work,
 )
 from ..patch.outline import row_size
+from ..search.roll import place_both
 from .compliant import solve_compliant
 from .elastic import solve_elastic
+from .leaning import (
+    ELASTIC_MET,
+    MEETINGS,
+    is_leaning,
+    next_reference,
+    note_reference,
+    open_reference,
+    set_reference,
+)
 from .moving import is_rolling, write_creepages
 from .requested import check_inputs, omit_outputs, side_force
 from .resultant import write_resultant
 from .rigid import find_roll, keep_roll, solve_rigid
+from .trial import turn_to
 
 
 def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State):
@@ -60,9 +73,36 @@ def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, st
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
     roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
                                  side_force(work.inputs, 0), side_force(work.inputs, 1))
+    if status <= UNLOADED and is_leaning(work.sides) == 1:
+        roll, status = meet_leaning(left_tables, right_tables, work, state, rigid_roll)
     work.outputs.roll = roll
-    work.outputs.vertical_shift = 0.5 * (work.supports[0].height + work.supports[1].height)
+    work.outputs.vertical_shift = support_height(work)
     return status
+
+
+def support_height(work: Work):
+    """The height of a wheelset in equilibrium [m]: both sides' mean, which differ by rounding."""
+    return 0.5 * (work.supports[0].height + work.supports[1].height)
+
+
+def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: State, rigid_roll: float):
+    """Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
+    shift; the equilibrium for the rigid height as reference is known."""
+    roll = rigid_roll
+    open_reference(work.reference, work.sides[1].place.reference, support_height(work))
+    for i in range(MEETINGS):
+        height = next_reference(work.reference)
+        set_reference(work.sides, height)
+        place_both(left_tables, right_tables, work.inputs, work.sides, rigid_roll)
+        if turn_to(left_tables, right_tables, work, state, rigid_roll) == 0:
+            return roll, OFF_PROFILE
+        roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
+                                     side_force(work.inputs, 0), side_force(work.inputs, 1))
+        if status > UNLOADED:
+            return roll, status
+        if note_reference(work.reference, height, support_height(work), ELASTIC_MET) == 1:
+            return roll, status
+    return roll, NOT_CONVERGED
 
 
 def step_row(left_tables: Tables, right_tables: Tables, state: State, workspace: Work, inputs: 'float[:]',
