@@ -299,6 +299,8 @@ static void evaluate(wheelset *self)
     const int status = wrcontact_step(&handle);
     core->status = status;
     core->stale = core->balanced = 0;
+    if (!is_compliant(self))
+        wheelset_find_equilibrium(self);        /* which costs nothing */
     if (status)
         tell_status(self);
 }
@@ -349,7 +351,7 @@ void wheelset_find_equilibrium(wheelset *self)
         core->values[MODEL_EQUILIBRIUM] = outputs[layout__OUT_VERTICAL_SHIFT];
         core->values[MODEL_EQUILIBRIUM + 1] = outputs[layout__OUT_ROLL];
     }
-    else
+    else if (core->status <= layout__UNLOADED)      /* otherwise the step has told why */
     {
         char sentence[MODEL_SENTENCE] = "equilibrium: ";
         const size_t begun = strlen(sentence);

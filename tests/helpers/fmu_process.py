@@ -54,7 +54,8 @@ def simulated(fmu, rows, times, names):
     at the end of each step."""
     import numpy as np
 
-    rest = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
+    rest = {v.name: float(v.start) for v in fmu.description.modelVariables
+            if v.causality == "input" and v.type != "Boolean"}
     rows = [{**rest, **row} for row in rows]
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)

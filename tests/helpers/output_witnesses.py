@@ -12,6 +12,7 @@ import numpy as np
 
 from tests.helpers.motion import creepages
 from tests.helpers.wheel_witness import WheelWitness, track
+from wrcontact import ContactSystem
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
 #: lighter one of three patches), 0.09 (a flange alone on its half-space), 0.15 and 0.09.
@@ -114,6 +115,18 @@ def sum_of_wheels(name):
 
 def total_load(scene):
     return sum(wheel["normal_force"] for wheel in scene.wheels.values())
+
+
+def equilibrium(name):
+    """Of a wheelset that is told its height and roll: where an elastic one stands under the load; of others
+    their own."""
+    def witness(scene):
+        value = scene.values[name]
+        if scene.mode == "compliant":
+            load = {key: scene.inputs[key] for key in ("lateral_shift", "yaw", "normal_force")}
+            value = getattr(ContactSystem(contact_mode="elastic").evaluate(**load), name)
+        yield value, 1e-12
+    return witness
 
 
 def status(scene):
@@ -350,6 +363,8 @@ WHEELSET = {
     "vertical_shift": ("m", vertical_shift),
     **{f"{name}.{axis}": (unit, sum_of_wheels(f"{name}.{axis}"))
        for name, unit in (("force", "N"), ("moment", "N.m")) for axis in "xyz"},
+    "equilibrium.vertical_shift": ("m", equilibrium("vertical_shift")),
+    "equilibrium.roll": ("rad", equilibrium("roll")),
     "status": (None, status),
 }
 GEOMETRY = {
