@@ -10,9 +10,8 @@ from math import atan, atan2, cos, sin, tan
 
 import numpy as np
 
-from tests.helpers.motion import creepages
+from tests.helpers.motion_witnesses import equilibrium, patch_creepage
 from tests.helpers.wheel_witness import WheelWitness, track
-from wrcontact import ContactSystem
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
 #: lighter one of three patches), 0.09 (a flange alone on its half-space), 0.15 and 0.09.
@@ -115,18 +114,6 @@ def sum_of_wheels(name):
 
 def total_load(scene):
     return sum(wheel["normal_force"] for wheel in scene.wheels.values())
-
-
-def equilibrium(name):
-    """Of a wheelset that is told its height and roll: where an elastic one stands under the load; of others
-    their own."""
-    def witness(scene):
-        value = scene.values[name]
-        if scene.mode == "compliant":
-            load = {key: scene.inputs[key] for key in ("lateral_shift", "yaw", "normal_force")}
-            value = getattr(ContactSystem(contact_mode="elastic").evaluate(**load), name)
-        yield value, 1e-12
-    return witness
 
 
 def status(scene):
@@ -310,24 +297,6 @@ def patch_force(axis):
         yield load * (0.0, -wheel.sign * turned[0], -turned[1])[axis], share * load
         if axis == 1:
             yield wheel.sign * tan(angle) * wheel[f"patch[{k}].force.z"], EXACT * load
-    return witness
-
-
-def patch_creepage(index):
-    """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
-    def witness(wheel, k):
-        given = wheel.inputs
-        if not given.get("speed"):
-            yield 0.0, 0.0
-            return
-        names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
-                 "roll_rate": "roll_rate", "curvature": "track_curvature"}
-        found = creepages(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
-                          radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
-                          angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"],
-                          roll=wheel.values["roll"], speed=given["speed"], wheel_rate=given["wheel_rate"],
-                          **{name: given[key] for name, key in names.items()})
-        yield found[index], 1e-6
     return witness
 
 

