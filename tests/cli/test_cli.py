@@ -147,7 +147,9 @@ def test_every_input_and_parameter_has_an_option(run):
     assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn",
                                             "--load-transfer", "--vertical-shift-mm", "--roll-deg", "--speed",
                                             "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
-                                            "--roll-rate", "--wheel-rate", "--track-curvature"}
+                                            "--roll-rate", "--wheel-rate", "--track-curvature",
+                                            *(f"--{side}-rail-{part}-velocity" for side in ("left", "right")
+                                              for part in ("lateral", "vertical", "roll"))}
     methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature",
                "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}

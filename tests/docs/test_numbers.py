@@ -33,9 +33,9 @@ def numbers(page, pattern):
 def test_numbers_of_outputs(page):
     """Wherever a page counts the outputs: all numbers, those of type Real, and the continuous ones."""
     outputs = [variable for variable in VARIABLES if variable.causality == OUTPUT]
-    assert len(outputs) == layout.OUTPUT_COUNT + 1                    # and the status
+    assert len(outputs) == layout.OUTPUT_COUNT + 3            # and the equilibrium and the status
     real = sum(variable.type == REAL for variable in outputs)
-    counts = {"": layout.OUTPUT_COUNT, "Real ": real, "continuous ": real}
+    counts = {"": layout.OUTPUT_COUNT + 2, "Real ": real, "continuous ": real}
     for count, kind in re.findall(r"\b(\d{3}) (Real |continuous |)outputs", texts(page)):
         assert int(count) == counts[kind], f"{count} {kind}outputs"
 

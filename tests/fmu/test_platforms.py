@@ -18,7 +18,7 @@ from fmpy.validation import validate_fmu
 
 from build_hooks import kernel_compiler
 from build_hooks.kernel_compiler import chosen_platform, requirements
-from tests.helpers.cases import INPUT_NAMES, RUNS, stored
+from tests.helpers.cases import INPUT_NAMES, REAL_INPUT_NAMES, RUNS, stored
 from tests.helpers.fmus import header_functions
 from tests.helpers.paths import HELPERS
 from tests.helpers.platforms import (
@@ -208,7 +208,7 @@ def plan_of(description, rows):
     variables = {v.name: v for v in description.modelVariables}
     outputs = [v for v in variables.values() if v.causality == "output" and v.type in ("Real", "Float64")]
     words = listed([variables[name].valueReference
-                    for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
+                    for name in REAL_INPUT_NAMES]) + listed([v.valueReference for v in outputs])
     count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
     return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
                      *bits(sum(rows, []))])

@@ -11,9 +11,11 @@ import numpy as np
 import wrcontact
 from tests.helpers.paths import REFERENCE_DATA, TRAJECTORIES
 from wrcontact import ContactSystem
-from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES
+from wrcontact.interface.variables import INPUT, OUTPUT, REAL, VARIABLES
 
 INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT]
+#: All but switches.
+REAL_INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT and v.type == REAL]
 OUTPUT_NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT]
 RUNS = ("hunting", "jumps", "load")
 
@@ -58,7 +60,7 @@ INVALID_INPUTS = {
     "negative_force": ({"normal_force": -1.0}, 4, "normal_force", "-1"),
     "transfer": ({"load_transfer": 1.5}, 4, "load_transfer", "1.5"),
     "off_profile": ({"lateral_shift": 0.08}, 2, "lateral_shift", "0.08"),
-    "all_nan": ({name: math.nan for name in INPUT_NAMES}, 4, "lateral_shift", "nan"),
+    "all_nan": (dict.fromkeys(REAL_INPUT_NAMES, math.nan), 4, "lateral_shift", "nan"),
 }
 
 

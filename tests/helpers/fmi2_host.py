@@ -58,7 +58,8 @@ class Instance(Stepping):
 
     def set(self, **values):
         variables = self.fmu.variables
-        for kind, set_values in (("Real", self.slave.setReal), ("String", self.slave.setString)):
+        for kind, set_values in (("Real", self.slave.setReal), ("Boolean", self.slave.setBoolean),
+                                 ("String", self.slave.setString)):
             chosen = {variables[n].valueReference: v for n, v in values.items() if variables[n].type == kind}
             if chosen:
                 set_values(list(chosen), list(chosen.values()))
@@ -69,6 +70,7 @@ class Instance(Stepping):
         chosen = [variables[n] for n in names] or [v for v in variables.values() if v.causality == "output"]
         found = {}
         for kind, get_values in (("Real", slave.getReal), ("Integer", slave.getInteger),
+                                 ("Boolean", slave.getBoolean),
                                  ("String", slave.getString)):
             some = [v for v in chosen if v.type == kind]
             if some:

@@ -6,6 +6,7 @@ from fmpy.fmi3 import FMU3Slave
 from fmi_host import Stepping
 
 TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"),
+         "Boolean": ("setBoolean", "getBoolean"),
          "String": ("setString", "getString"), "UInt64": ("setUInt64", "getUInt64")}
 
 

@@ -54,7 +54,8 @@ def simulated(fmu, rows, times, names):
     at the end of each step."""
     import numpy as np
 
-    rest = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
+    rest = {v.name: float(v.start == "true" if v.type == "Boolean" else v.start)
+            for v in fmu.description.modelVariables if v.causality == "input"}
     rows = [{**rest, **row} for row in rows]
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
@@ -65,7 +66,10 @@ def simulated(fmu, rows, times, names):
 
 
 VALID = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.0,
-         "vertical_shift_input": 0.0, "roll_input": 0.0}
+         "vertical_shift_input": 0.0, "roll_input": 0.0, "speed": 0.0, "lateral_velocity": 0.0,
+         "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "wheel_rate": 0.0,
+         "track_curvature": 0.0, **{f"{side}.rail_{part}_velocity": 0.0 for side in ("left", "right")
+                                    for part in ("lateral", "vertical", "roll")}}
 
 
 def outcomes(fmu, cases, start=None, valid=None):

@@ -17,7 +17,7 @@ from tests.helpers.paths import HELPERS
 from wrcontact import ContactSystem
 from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
-from wrcontact.interface.variables import REFERENCE, STRING, VARIABLES
+from wrcontact.interface.variables import BOOLEAN, REFERENCE, STRING, VARIABLES
 from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.simulation.session import Session
@@ -80,7 +80,10 @@ def session(lines=None, **start):
 
 def stepped(made, row):
     """Outputs by name after a step of a session."""
-    made.set_reals([REFERENCE[name] for name in row], list(row.values()))
+    switches = {name: value for name, value in row.items() if VARIABLES[REFERENCE[name]].type == BOOLEAN}
+    reals = {name: value for name, value in row.items() if name not in switches}
+    made.set_booleans([REFERENCE[name] for name in switches], list(switches.values()))
+    made.set_reals([REFERENCE[name] for name in reals], list(reals.values()))
     made.step()
     reals = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
     return {**dict(zip(reals, made._values[variables.FIRST_OUTPUT:variables.STATUS].tolist())),

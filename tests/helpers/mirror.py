@@ -4,8 +4,8 @@ import numpy as np
 
 from wrcontact.interface.variables import OUTPUT, VARIABLES
 
-#: Outputs of one wheel that change their sign: y in the track frame, forces along y (true vectors), and
-#: moments about x and z (axial vectors), lateral creepage and spin.
+#: Outputs of one wheel that change their sign: y in the track frame, forces along y (true vectors), moments
+#: about x and z (axial vectors), and creepages across and about the normal.
 TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z", "creepage.y", "creepage.spin")
 
 

@@ -410,19 +410,27 @@ static int accepted_damage;
 static long usual_steps, valid_steps, other_outlines;
 static long started[8][8];      /* instances that were initialised, by contact mode and normal model */
 
-/* What a simulation does: all inputs possible, a step, the status read. */
+/* What a simulation does: all inputs possible, velocities too, a step, the status read. */
 static int usual_step(component c)
 {
     const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
     const double yaw = pick(3) ? 0.0 : 1e-5 * (pick(2401) - 1200.0);
-    const double inputs[MODEL_INPUTS] = {1e-5 * (pick(3001) - 1500.0), yaw, pick(5) ? 0.0 : 1e-5 * pick(1000), 10.0 * pick(20000),
+    double inputs[MODEL_INPUTS] = {1e-5 * (pick(3001) - 1500.0), yaw, pick(5) ? 0.0 : 1e-5 * pick(1000), 10.0 * pick(20000),
                                          pick(3) ? 0.0 : 1e-2 * (pick(201) - 100.0), 1e-6 * pick(3000), 1e-5 * (pick(201) - 100.0)};
     value_reference references[MODEL_INPUTS];
     int outcome = -1;
+    size_t count = 0;
     for (int i = 0; i < MODEL_INPUTS; i += 1)
-        references[i] = FIRST_INPUT + (value_reference)i;
+    {
+        const double given = inputs[i];
+        if (model_variables[i].type != MODEL_REAL)
+            continue;
+        inputs[count] = i < 7 || pick(3) == 0 ? given : 1e-3 * model_variables[i].high * (pick(201) - 100.0);
+        references[count] = FIRST_INPUT + (value_reference)i;
+        count += 1;
+    }
     usual_steps += 1;
-    if (set_reals(c, references, MODEL_INPUTS, inputs, MODEL_INPUTS) != OK || step(c, 0.0, 1e-3) != OK
+    if (set_reals(c, references, count, inputs, count) != OK || step(c, 0.0, 1e-3) != OK
         || integers(c, &status, 1, &outcome, 0) != OK)
         return OK + 1;
     valid_steps += outcome == 0 || outcome == 1;

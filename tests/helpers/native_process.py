@@ -71,7 +71,8 @@ def simulated(fmu, rows, times, names):
 def situations(fmu, start, cases):
     """Each case on a running instance after a valid step: its outputs and its log."""
     instance = fmu.running(**start)
-    valid = {v.name: float(v.start) for v in fmu.variables.values() if v.causality == "input"}
+    valid = {v.name: float(v.start) for v in fmu.variables.values()
+             if v.causality == "input" and v.type != "Boolean"}
     answers = {}
     for name, case in cases.items():
         instance.step(**valid)

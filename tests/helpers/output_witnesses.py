@@ -10,7 +10,7 @@ from math import atan, atan2, cos, sin, tan
 
 import numpy as np
 
-from tests.helpers.motion import creepages
+from tests.helpers.motion_witnesses import equilibrium, patch_creepage
 from tests.helpers.wheel_witness import WheelWitness, track
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
@@ -300,24 +300,6 @@ def patch_force(axis):
     return witness
 
 
-def patch_creepage(index):
-    """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
-    def witness(wheel, k):
-        given = wheel.inputs
-        if not given.get("speed"):
-            yield 0.0, 0.0
-            return
-        names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
-                 "roll_rate": "roll_rate", "curvature": "track_curvature"}
-        found = creepages(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
-                          radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
-                          angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"],
-                          roll=wheel.values["roll"], speed=given["speed"], wheel_rate=given["wheel_rate"],
-                          **{name: given[key] for name, key in names.items()})
-        yield found[index], 1e-6
-    return witness
-
-
 # --- the outline --------------------------------------------------------------------------------------
 
 
@@ -350,6 +332,8 @@ WHEELSET = {
     "vertical_shift": ("m", vertical_shift),
     **{f"{name}.{axis}": (unit, sum_of_wheels(f"{name}.{axis}"))
        for name, unit in (("force", "N"), ("moment", "N.m")) for axis in "xyz"},
+    "equilibrium.vertical_shift": ("m", equilibrium("vertical_shift")),
+    "equilibrium.roll": ("rad", equilibrium("roll")),
     "status": (None, status),
 }
 GEOMETRY = {

@@ -127,6 +127,19 @@ def test_locked_and_spinning_wheels():
         assert patch.creepage.x == pytest.approx(-2.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_halfspace(mode):
+    """At the centre of load of its own patches, which ANALYN finds within 0.1 mm on the tread."""
+    motion = dict(lateral_shift=3e-3, yaw=5e-3, **MOTION)
+    exact = system(contact_mode=mode, normal_model="halfspace", tolerance=0.02).evaluate(**motion)
+    model = system(contact_mode=mode, normal_model="analyn").evaluate(**motion)
+    for side in ("left", "right"):
+        found, wanted = (getattr(state, side).patches[0].creepage for state in (exact, model))
+        assert found.x == pytest.approx(wanted.x, abs=2e-5)
+        assert found.y == pytest.approx(wanted.y, rel=1e-3)
+        assert found.spin == pytest.approx(wanted.spin, rel=0.01, abs=1e-3)
+
+
 def test_rotation_of_wheels_is_given_or_follows():
     follows = system().evaluate(1e-3, speed=20.0)
     given = system().evaluate(1e-3, speed=20.0, wheel_rate=20.0 / RADIUS)

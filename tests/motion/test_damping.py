@@ -78,6 +78,11 @@ def test_other_modes_are_not_damped(mode):
     np.testing.assert_array_equal(plain.values, damped.values)
 
 
+def test_the_halfspace_has_none():
+    with pytest.raises(ValueError, match="contact_damping is 0.5; permitted with the normal_model 'half"):
+        wrcontact.ContactSystem(contact_mode="compliant", normal_model="halfspace", contact_damping=0.5)
+
+
 def test_without_damping_velocities_change_no_force():
     still, moving = (pressed(3e-3, 0.01, damping=0.0, vertical_velocity=velocity) for velocity in (0.0, 1.0))
     np.testing.assert_array_equal(still.values, moving.values)

@@ -132,7 +132,7 @@ def variable_names(version):
 def adapter_units(version):
     """The hand-written C files of one version of FMI."""
     return (*(f"fmi{version}{part}.c" for part in ("", "_values", "_absent")),
-            "wheelset.c", "wheelset_tables.c", "wheelset_states.c", "sentences.c")
+            "wheelset.c", "wheelset_answers.c", "wheelset_tables.c", "wheelset_states.c", "sentences.c")
 
 
 def adapter_headers(version):

@@ -12,7 +12,7 @@ PATCH_LIMIT = 3
 STATION_COUNT, STATION_LEAST, STATION_LIMIT = 31, 3, 201
 
 PATCH = (
-    Output("normal_force", "N", 1e5, "normal force", 0.0),
+    Output("normal_force", "N", 1e5, "normal force", 0.0, follows=ANSWERED),
     Output("area", "m2", 1e-4, "contact area", 0.0),
     Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
     Output("length", "m", 1e-2, "length in rolling direction", 0.0),
@@ -32,7 +32,7 @@ PATCH = (
     Output("y_track", "m", 1.0, "centre of load in the track frame, to the right of the track centre (not "
            "mirrored)"),
     Output("z_track", "m", 1e-3, "centre of load in the track frame, down from top of rail"),
-    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}", follows=ANSWERED),
     Output("creepage.x", "1", 1e-3, "longitudinal creepage at its centre of load: velocity of the wheel "
            "against the rail, forward, over the rolling speed", field="creepage_x", follows=ANSWERED),
     Output("creepage.y", "1", 1e-3, "lateral creepage, in the plane of the patch, positive to the left on "
@@ -67,16 +67,17 @@ SIDE = (
     Output("curvature_y", "1/m", 10.0, "relative (combined) principal curvature of wheel and rail at the "
            "contact point, across the rail"),
     Output("penetration", "m", 1e-4, "penetration: approach of the two bodies", 0.0),
-    Output("normal_force", "N", 1e5, "normal force, total over the patches", 0.0),
+    Output("normal_force", "N", 1e5, "normal force, total over the patches", 0.0, follows=ANSWERED),
     Output("area", "m2", 1e-4, "contact area, total over the patches", 0.0),
     Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
     Output("patch_length", "m", 1e-2, "length of the contact in rolling direction", 0.0),
     Output("patch_width", "m", 1e-2, "width of the contact in the contact plane, from first to last loaded "
            "point", 0.0),
     Output("patch_centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the "
-           "field side"),
-    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
-    Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}"),
+           "field side", follows=ANSWERED),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}", follows=ANSWERED),
+    Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}",
+           follows=ANSWERED),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),
@@ -88,9 +89,11 @@ SIDE = (
 WHEELSET = (
     Output("roll", "rad", 1e-3, "Roll of the wheelset, positive with the right wheel down"),
     Output("vertical_shift", "m", 1e-3, "Vertical shift of the wheelset, positive down"),
-    Vector("force", "N", 1e5, "Resultant of the contact forces on the wheelset, {axis}"),
+    Vector("force", "N", 1e5, "Resultant of the contact forces on the wheelset, {axis}",
+           follows=ANSWERED),
     Vector("moment", "N.m", 1e4,
-           "Moment of the contact forces about the wheelset's centre, around the axis {axis}"),
+           "Moment of the contact forces about the wheelset's centre, around the axis {axis}",
+           follows=ANSWERED),
 )
 
 SIDES = ("left", "right")

@@ -26,6 +26,7 @@ class Halfspace(NormalModel):
             "separation": "normal",
             "lateral_curvature": "adaptive",
         },
+        "has no damping": {"contact_damping": 0.0},
     }
 
     tolerance: float | None = tolerance_from(3e-4)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
+from ..kernel.wheelset.moving import is_rolling, write_creepages
 from ..progress import tracked
 from ..state import outline_of
 from ..status import Status
@@ -102,7 +103,19 @@ class HalfspaceSolver:
             elif not math.isfinite(side[layout.SIDE_NORMAL_FORCE]):      # this side is not wanted
                 total[:] = math.nan
         answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
+        self._write_creepages(answer)
         return answer, status
+
+    def _write_creepages(self, answer):
+        """Creepages at the patches' own centres of load, by the kernel's source, in whose workspace the
+        outputs stand for a moment."""
+        work = layout.Work.at(self._workspace)
+        if is_rolling(work.inputs):
+            outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + layout.OUTPUT_COUNT]
+            kept = outputs.copy()
+            outputs[:] = answer[:layout.OUTPUT_COUNT]
+            write_creepages(layout.Tables.at(self._tables), work)
+            answer[:layout.OUTPUT_COUNT], outputs[:] = outputs, kept
 
     def _write(self, answer, index, side, wheel):
         """The outputs of a pressed wheel instead of the kernel's; its part of the resultant (6,)."""

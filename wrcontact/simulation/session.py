@@ -258,6 +258,8 @@ class Session:
         values[STATUS] = outcome
         self._stale = self._balanced = False
         self.evaluations += 1
+        if self.parameters["contact_mode"] != "compliant":
+            self._find_equilibrium()            # which costs nothing
         if outcome:
             self._tell()
 
@@ -274,7 +276,7 @@ class Session:
             outcome, found = self._balance.step(), self._balance.outputs
         if outcome <= outcomes.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
-        else:
+        elif self.status <= outcomes.Status.UNLOADED:       # otherwise the step has told why
             self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
         self._balanced = True
 

@@ -12,7 +12,7 @@ from fmpy.validation import validate_fmu
 from tests.helpers.fmus import header_functions, needs_compiler, unpacked_library
 from wrcontact.cli import demo
 from wrcontact.fmu import native
-from wrcontact.interface.variables import OUTPUT, STRING, VARIABLES
+from wrcontact.interface.variables import BOOLEAN, OUTPUT, STRING, VARIABLES
 from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 
 pytestmark = needs_compiler
@@ -60,7 +60,8 @@ def test_fmi3_variables_are_those_of_the_table(fmus):
                 variable.causality, variable.variability, variable.description)
             assert found.unit == (variable.unit or None)
             if variable.start is not None:
-                assert found.start == (variable.start if variable.type == STRING else repr(variable.start))
+                wanted = variable.start if variable.type == STRING else repr(variable.start)
+                assert found.start == (wanted.lower() if variable.type == BOOLEAN else wanted)
     assert by_name["left.station"].shape == (31,)
 
 

@@ -32,7 +32,7 @@ def test_outlines_with_other_numbers_of_stations(run3):
                       if not v.name.endswith("]")}
             for name, values in outline_of_both(stepper.outputs).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
-            assert len(found) == len(wanted) + 1 and found["status"] == status
+            assert len(found) == len(wanted) + 3 and found["status"] == status
             for name, value in wanted.items():
                 nominal = VARIABLES[REFERENCE[re.sub(r"\[\d+\]$", "[1]", name)]].nominal or 1.0
                 assert found[name] == pytest.approx(value, rel=SAME, abs=SAME * nominal), (number, name)

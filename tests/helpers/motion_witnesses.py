@@ -1,0 +1,35 @@
+"""Witnesses for outputs that follow the motion of the wheelset, and for the equilibrium; a part of
+output_witnesses.py."""
+
+from tests.helpers.motion import creepages
+from wrcontact import ContactSystem
+
+
+def equilibrium(name):
+    """Of a wheelset that is told its height and roll: where an elastic one stands under the load; of others
+    their own."""
+    def witness(scene):
+        value = scene.values[name]
+        if scene.mode == "compliant":
+            load = {key: scene.inputs[key] for key in ("lateral_shift", "yaw", "normal_force")}
+            value = getattr(ContactSystem(contact_mode="elastic").evaluate(**load), name)
+        yield value, 1e-12
+    return witness
+
+
+def patch_creepage(index):
+    """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
+    def witness(wheel, k):
+        given = wheel.inputs
+        if not given.get("speed"):
+            yield 0.0, 0.0
+            return
+        names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
+                 "roll_rate": "roll_rate", "curvature": "track_curvature"}
+        found = creepages(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
+                          radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
+                          angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"],
+                          roll=wheel.values["roll"], speed=given["speed"], wheel_rate=given["wheel_rate"],
+                          **{name: given[key] for name, key in names.items()})
+        yield found[index], 1e-6
+    return witness
