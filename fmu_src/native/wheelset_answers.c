@@ -13,19 +13,25 @@
 #endif
 #include "kernel/generated/layout.h"
 
+/* Let the tables of both sides be those of a contact mode. */
+static void set_mode(wheelset *self, double mode)
+{
+    self->left_tables.data[layout__SET_MODE] = self->right_tables.data[layout__SET_MODE] = mode;
+}
+
 /* The elastic wheelset that carries the load of the inputs, in the room of a derivative: its status, with the outputs at
  * `outputs`. */
 static int balance(wheelset *self, const double **outputs)
 {
     double *state = self->tangent_room + MODEL_WORK, *row = state + MODEL_MEMORY;
-    const double mode = self->tables[layout__SET_MODE];
+    const double mode = self->right_tables.data[layout__SET_MODE];
     const wrcontact_handle handle = {
-        span_of(self->tables, self->table_size), span_of(state, MODEL_MEMORY), span_of(self->tangent_room, MODEL_WORK),
+        self->left_tables, self->right_tables, span_of(state, MODEL_MEMORY), span_of(self->tangent_room, MODEL_WORK),
         span_of(self->core.values, MODEL_INPUTS), span_of(row, ROW)};
     memset(self->tangent_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
-    self->tables[layout__SET_MODE] = layout__MODE_ELASTIC;
+    set_mode(self, layout__MODE_ELASTIC);
     const int status = wrcontact_step(&handle);
-    self->tables[layout__SET_MODE] = mode;
+    set_mode(self, mode);
     *outputs = row;
     return status;
 }
@@ -88,11 +94,11 @@ size_t wheelset_rate_of(uint32_t reference)
 static void differentiate_equilibrium(wheelset *self, const double seed[MODEL_INPUTS], double rates[RATES])
 {
     const wrcontact_handle handle = wheelset_handle(self);
-    const double mode = self->tables[layout__SET_MODE];
+    const double mode = self->right_tables.data[layout__SET_MODE];
     if (wheelset_is_compliant(self))
-        self->tables[layout__SET_MODE] = layout__MODE_ELASTIC;
+        set_mode(self, layout__MODE_ELASTIC);
     wrcontact_tangent(&handle, seed, rates, self->tangent_room);
-    self->tables[layout__SET_MODE] = mode;
+    set_mode(self, mode);
     rates[ROW] = rates[layout__OUT_VERTICAL_SHIFT];
     rates[ROW + 1] = rates[layout__OUT_ROLL];
 }
