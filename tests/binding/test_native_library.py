@@ -15,6 +15,8 @@ from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_c
 from tests.helpers.cases import input_row
 from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
 from tools.transpile_kernel import Module, Refused
+from wrcontact.interface.rails import RAILS
+from wrcontact.interface.variables import VARIABLES
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME
@@ -31,15 +33,18 @@ from wrcontact.kernel.layout import (
     WORK_SIZE,
 )
 
+RAIL_PLACES = [one.index for one in VARIABLES[:INPUT_COUNT] if ".rail_" in one.name]
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
 
 
 def poses(count, seed=20):
     """Inputs (count, n) over tread and flange: cold jumps, a slow run, and some that no wheelset can have;
-    every other wheelset runs;
-    heights and rolls around those of rigid contact, from lifted wheels to 0.2 mm deep ones."""
+    heights and rolls around those of rigid contact, from lifted wheels to 0.2 mm deep ones. Rails are moved
+    at one of ten, and every other wheelset runs."""
     rng = np.random.default_rng(seed)
-    rows = np.column_stack([
+    rows = np.zeros((count, INPUT_COUNT))
+    rows[:, :7] = np.column_stack([
         rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
         rng.uniform(-0.02, 0.02, count),            # yaw [rad]
         rng.uniform(-1e-3, 1e-3, count),            # roll guess [rad]
@@ -54,12 +59,15 @@ def poses(count, seed=20):
                                                     outputs="geometry")
     rows[:, IN_VERTICAL_SHIFT] += rigid.vertical_shift
     rows[:, IN_ROLL] += rigid.roll
-    rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
-    rows[run + 1::7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
+    rows[run::7, :7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
+    rows[run + 1::7, :7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
     rows[run + 2::7, 3] = 0.0
-    others = np.tile(input_row()[rows.shape[1]:], (count, 1))
-    others[::2] += rng.normal(size=others[::2].shape)
-    return np.hstack([rows, others])
+    for place in RAIL_PLACES:
+        rows[3::10, place] = rng.uniform(-2e-4, 2e-4, len(rows[3::10]))
+    motion = slice(7 + len(RAILS), None)
+    rows[:, motion] = input_row()[motion]
+    rows[::2, motion] += rng.normal(size=rows[::2, motion].shape)
+    return rows
 
 
 def copy_package(folder, name, *, with_library):

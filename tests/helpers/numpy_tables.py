@@ -48,7 +48,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         layout.SET_RAIL_ARC: arc, layout.SET_RAIL_AT_ARC: at_arc,
     }
     settings = np.zeros(layout.SETTING_COUNT)
-    settings[layout.SET_RADIUS] = nominal_radius
+    settings[layout.SET_RADIUS] = settings[layout.SET_HEIGHT] = nominal_radius
     settings[layout.SET_ARM] = 0.5 * running_circle_distance
     settings[layout.SET_RAIL_Y] = placed_rail.y_track
     settings[layout.SET_CONTACT_MODULUS] = contact_modulus

@@ -12,7 +12,7 @@ from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
-from wrcontact.interface.variables import FIRST_OUTPUT, REFERENCE, STATUS, VARIABLES
+from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
 
 
@@ -57,13 +57,16 @@ def test_properties_have_the_words_and_units_of_their_rows():
 
 def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     shown = inspect.signature(wrcontact.ContactSystem.evaluate).parameters
-    assert {row.name: row.start for row in INPUTS} == {name: shown[name].default for name in shown
-                                                       if name in REFERENCE}
+    assert {row.keyword: row.start for row in INPUTS}.items() <= {name: one.default
+                                                                  for name, one in shown.items()}.items()
     assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
     system = wrcontact.ContactSystem(normal_model="hertz")
     given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
     assert given[:5].tolist() == [1e-3, 2e-3, 1e-5, 3e4, 0.1]
     assert given[5:].tolist() == [row.start for row in INPUTS[5:]]
+    moved = {row.keyword: 1e-4 * (1 + k) for k, row in enumerate(INPUTS) if "." in row.name}
+    moved_inputs = system.evaluate(1e-3, **moved)
+    assert {row.keyword: moved_inputs[row.name] for row in INPUTS if "." in row.name} == moved
     for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}),
                                 ((), {"shift": 0.0})):
         with pytest.raises(TypeError, match="input"):
@@ -76,8 +79,9 @@ def test_every_parameter_reaches_the_kernel():
     expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL,
                 "tolerance": 0.01}
     assert {name: found[name] for name in expected} == expected
-    assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {"wheel", "rail", "nodes", "strips", "sweeps",
-                                                        "smoothing"}
+    assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {
+        "wheel", "rail", "nodes", "strips", "sweeps", "smoothing",
+        "left_wheel", "left_rail", "left_nominal_radius", "left_rail_inclination"}
 
 
 def test_a_row_without_a_known_unit_is_an_error():
