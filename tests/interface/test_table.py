@@ -12,7 +12,7 @@ from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
-from wrcontact.interface.variables import FIRST_OUTPUT, REFERENCE, STATUS, VARIABLES
+from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
 
 
@@ -57,8 +57,8 @@ def test_properties_have_the_words_and_units_of_their_rows():
 
 def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     shown = inspect.signature(wrcontact.ContactSystem.evaluate).parameters
-    assert {row.name: row.start for row in INPUTS} == {name: shown[name].default for name in shown
-                                                       if name in REFERENCE}
+    keywords = {row.keyword: row.start for row in INPUTS}
+    assert keywords == {name: shown[name].default for name in shown if name in keywords}
     assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
     system = wrcontact.ContactSystem(normal_model="hertz")
     given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
