@@ -12,6 +12,6 @@ TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z", "cree
 def side_signs():
     """The signs (m,) that turn the outputs of a right wheel into those of the left wheel in the mirror."""
     names = [one.name.removeprefix("right.") for one in VARIABLES
-             if one.causality == OUTPUT and one.name.startswith("right.")]
+             if one.name.startswith("right.") and one.causality == OUTPUT]
     turned = [name in TURNED or name.partition("].")[2] in TURNED for name in names]
     return np.where(turned, -1.0, 1.0)
