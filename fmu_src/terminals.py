@@ -5,6 +5,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from ..conventions import SIDES
 from ..interface.motion import MOTION as MOTION_INPUTS
+from ..interface.rails import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 
 FOLDER = Path(__file__).resolve().parent
@@ -12,6 +13,7 @@ FOLDER = Path(__file__).resolve().parent
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
         "yaw": "yaw", "roll_guess": "roll_guess"}
+RAILS = {row.name: row.name for row in RAIL_INPUTS}
 MOTION = {row.name: row.name for row in MOTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 
@@ -54,6 +56,7 @@ def terminals(names):
         "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too",
                  POSE),
         "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
+        "rails": ("rails", "How far the rails are from their nominal places", RAILS),
         "motion": ("motion", "How the wheelset and its rails move", MOTION),
         "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
                      {name: name for name in whole}),

@@ -10,6 +10,7 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.motion import MOTION
+from wrcontact.interface.rails import RAILS
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, VARIABLES
 
 
@@ -79,7 +80,8 @@ def test_dependencies(description):
     assert set(follows) == set(OUTPUT_NAMES)
     # declared once for all contact modes, and in elastic and compliant contact all
     # that is read moves everything
-    read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input"}
+    read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
+            *(row.name for row in RAILS)}
     moves = {row.name for row in MOTION}
     for name, inputs in follows.items():
         # creepages, and what contact damping changes
@@ -122,10 +124,10 @@ def test_declared_dependencies_hold(mode):
     system = ContactSystem(contact_mode=mode)
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
             "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in MOTION[1:]), 0.0), "free_rolling": 1.0}
+            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS)), 0.0), "free_rolling": 1.0}
     changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
                "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6,
-               **{row.name: 0.1 * row.nominal for row in MOTION}, "free_rolling": -1.0}
+               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS)}, "free_rolling": -1.0}
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())
     assert present["status"] == 0
@@ -135,7 +137,7 @@ def test_declared_dependencies_hold(mode):
         outputs = VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]
         free = [v.name for v in outputs if name not in v.depends_on or is_free(v.name)]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
-        moved = [v for v in present if (".creepage." in v if name in MOVING else v == "right.area")]
+        moved = [v for v in present if (".creepage." in v if name in MOVING else v in ("left.area", "right.area"))]
         assert len(free) == len(outputs) or any(changed[v] != present[v] for v in moved), name
 
 

@@ -114,7 +114,7 @@ class HalfspaceSolver:
             outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + layout.OUTPUT_COUNT]
             kept = outputs.copy()
             outputs[:] = answer[:layout.OUTPUT_COUNT]
-            write_creepages(layout.Tables.at(self._tables), work)
+            write_creepages(layout.Tables.at(self._left_tables), layout.Tables.at(self._tables), work)
             answer[:layout.OUTPUT_COUNT], outputs[:] = outputs, kept
 
     def _write(self, answer, index, side, wheel):
