@@ -48,7 +48,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     resultant__write_resultant(work, tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     if (moving__is_rolling(work) == INT64_C(1))
     {
-        moving__write_creepages(tables, work);
+        moving__write_creepages(tables, work, state);
     }
     requested__omit_outputs(tables, work);
     return status;

@@ -143,6 +143,6 @@ def differentiate(tables: Tables, work: Work, state: State):
         follow_compliant(tables, work, state)
     write_resultant(tables, work.inputs, work.outputs, work.supports[0].resultant, work.supports[1].resultant)
     if is_rolling(work.inputs) == 1:
-        write_creepages(tables, work)
+        write_creepages(tables, work, state)
     omit_outputs(tables, work)
     return outcome

@@ -48,7 +48,7 @@ def evaluate(tables: Tables, work: Work, state: State):
             status = elastic_from_rigid(tables, work, state, roll)
     write_resultant(tables, work.inputs, work.outputs, work.supports[0].resultant, work.supports[1].resultant)
     if is_rolling(work.inputs) == 1:
-        write_creepages(tables, work)
+        write_creepages(tables, work, state)
     omit_outputs(tables, work)
     return status
 
