@@ -331,3 +331,9 @@ def test_example(tmp_path, name):
     assert done.returncode == 0, done.stderr
     assert (tmp_path / f"{name}.png").stat().st_size > 10_000
     assert len(script.read_text(encoding="utf-8").splitlines()) < 40
+
+
+def test_creepages_of_a_wheelset_that_rolls(run):
+    _, still, _ = run("solve", "--lateral-shift-mm", "1")
+    _, rolling, _ = run("solve", "--lateral-shift-mm", "1", "--speed", "20", "--track-curvature", "0.001")
+    assert "creepage" not in still and "patch[1].creepage.spin" in rolling and "patch[1].area" not in rolling

@@ -137,7 +137,8 @@ def test_declared_dependencies_hold(mode):
         outputs = VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]
         free = [v.name for v in outputs if name not in v.depends_on or is_free(v.name)]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
-        moved = [v for v in present if (".creepage." in v if name in MOVING else v in ("left.area", "right.area"))]
+        moved = [v for v in present
+                 if (".creepage." in v if name in MOVING else v in ("left.area", "right.area"))]
         assert len(free) == len(outputs) or any(changed[v] != present[v] for v in moved), name
 
 

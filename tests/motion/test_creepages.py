@@ -180,3 +180,14 @@ def test_manchester_benchmark(row):
     assert creepage.x == pytest.approx(-row["xi"], abs=loose * 7e-5, rel=0.007)
     assert creepage.y == pytest.approx(row["eta"], abs=1e-5, rel=0.0025 * loose)
     assert creepage.spin == pytest.approx(1e3 * row["phi_per_mm"], abs=loose * 1e-3, rel=0.008 * loose)
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_one_side_alone(side, mode):
+    """Its creepages need both contacts, whether the other side is wanted or not."""
+    one = system(contact_mode=mode, normal_model="hertz")
+    both, alone = (one.evaluate(5e-3, 0.01, side=wanted, **MOTION) for wanted in ("both", side))
+    for mine, other in zip(getattr(both, side).patches, getattr(alone, side).patches):
+        for name in ("x", "y", "spin"):
+            assert getattr(mine.creepage, name) == getattr(other.creepage, name) != 0.0

@@ -19,7 +19,8 @@ from .terms import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
 SIDE_ROWS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
-PATCH_ROWS = list(single_numbers(PATCH))
+PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith("creepage.")]
+CREEPAGE_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith("creepage.")]
 #: Columns for each wheel in a printed sweep: heading, name, digits after the point.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
 
@@ -82,12 +83,18 @@ def state_table(state):
     for name, unit in SIDE_ROWS:
         table.add_row(name, unit_name(unit), *(shown(attrgetter(name)(side), unit) for side in sides))
     most = max(side.patch_count for side in sides)
-    for k in range(most if most > 1 else 0):
+    rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state)
+    for k in range(most if rows else 0):
         table.add_section()
-        for name, unit in PATCH_ROWS:
+        for name, unit in rows:
             table.add_row(f"patch[{k + 1}].{name}", unit_name(unit),
                           *(_of_patch(side, k, name, unit) for side in sides))
     return table
+
+
+def is_rolling(state):
+    """Whether a pose has creepages."""
+    return bool(state.inputs[[layout.IN_SPEED, layout.IN_WHEEL_RATE]].any())
 
 
 def _of_patch(side, k, name, unit):

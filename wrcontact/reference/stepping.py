@@ -41,7 +41,7 @@ class HalfspaceSolver:
     """
 
     def __init__(self, tolerance, tables, state, workspace, inputs, outputs, left=None):
-        self.tolerance, self._tables, self._workspace = tolerance, tables, workspace
+        self.tolerance, self._tables, self._state, self._workspace = tolerance, tables, state, workspace
         self._sides = tables if left is None else left, tables
         self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
         self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry, left)
@@ -114,7 +114,8 @@ class HalfspaceSolver:
             outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + layout.OUTPUT_COUNT]
             kept = outputs.copy()
             outputs[:] = answer[:layout.OUTPUT_COUNT]
-            write_creepages(layout.Tables.at(self._left_tables), layout.Tables.at(self._tables), work)
+            left, right = (layout.Tables.at(tables) for tables in self._sides)
+            write_creepages(left, right, work, layout.State.at(self._state))
             answer[:layout.OUTPUT_COUNT], outputs[:] = outputs, kept
 
     def _write(self, answer, index, side, wheel):

@@ -82,5 +82,10 @@ static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, arr
     {
         side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
+    if ((status == layout__VALID) && (damping__is_damped(tables) == INT64_C(1)))
+    {
+        damping__damp_patches(work, tables, index, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+        totals__write_patches(work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    }
     return status;
 }

@@ -15,6 +15,7 @@
 #include "roll.h"
 #include "side.h"
 #include "starts.h"
+#include "totals.h"
 #include "trial.h"
 
 static const double compliant__GRAZING = 1e-13;

@@ -16,58 +16,24 @@
 /* The normal of the place where a rigid wheel touches its rail; ``mirror`` = 1 on the right, -1 on the
  * left.
  */
-static inline int64_t contact_rates__touching_constraint(array_double_1d work, array_double_1d tables, int64_t side, double mirror, int64_t constraint)
+static inline int64_t contact_rates__touching_constraint(array_double_1d work, int64_t side, double mirror, int64_t constraint)
 {
-    int64_t place;
-    double wheel_height;
-    double wheel_slope;
-    double r;
-    double arm;
-    double sin_phi;
-    double cos_phi;
-    double lateral;
     double x;
     double y;
     double z;
-    double height;
-    double slope;
     double normal_y;
     double normal_z;
-    place = side + layout__SIDE_SEARCH_PLACE;
-    profile_table__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + wheel_height;
-    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
-    locus__around_wheel(&sin_phi, &cos_phi, work, place, wheel_slope);
-    lateral = arm * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    x = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    y = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * r * sin_phi + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * lateral;
-    z = arm * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + r * cos_phi * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, place + layout__PLACE_SHIFT)) + y - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
-    /* of a right wheel the normal is (0, slope, -1) where its rail has no roll */
-    contact_rates__turned_by_rail(&normal_y, &normal_z, work, place, slope, -1.0);
-    contact_rates__turned_by_rail(&y, &z, work, place, y, z);
-    /* a mirror changes y, and of a moment x and z */
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = mirror * normal_y;
+    x = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_X_TRACK));
+    y = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y));
+    z = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z));
+    normal_y = (-mirror) * sin((*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
+    normal_z = -cos((*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = mirror * (y * normal_z - z * normal_y);
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = y * normal_z - z * normal_y;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = (-x) * normal_z;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = mirror * x * normal_y;
+    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = x * normal_y;
     return INT64_C(0);
-}
-
-/* Components to the field side and down, in the track, of a vector in the frame of the rail. */
-static inline int64_t contact_rates__turned_by_rail(double* result_0, double* result_1, array_double_1d work, int64_t place, double y, double z)
-{
-    double across;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-    {
-        across = y;
-        y = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z;
-        z = (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z;
-    }
-    (*result_0) = y;
-    (*result_1) = z;
-    return 0;
 }
 
 /* The force of an elastic wheel [N] and its moment about the wheelset's centre [N m]: what its patches

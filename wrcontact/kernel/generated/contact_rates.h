@@ -16,11 +16,8 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "locus.h"
-#include "profile_table.h"
 
-static inline int64_t contact_rates__turned_by_rail(double* result_0, double* result_1, array_double_1d work, int64_t place, double y, double z);
-static inline int64_t contact_rates__touching_constraint(array_double_1d work, array_double_1d tables, int64_t side, double mirror, int64_t constraint);
+static inline int64_t contact_rates__touching_constraint(array_double_1d work, int64_t side, double mirror, int64_t constraint);
 static inline int64_t contact_rates__loaded_constraint(array_double_1d work, int64_t side, int64_t constraint);
 static inline double contact_rates__known_part(array_double_1d work, int64_t index);
 static inline int64_t contact_rates__contact_rates(double* vertical, double* roll_rate, array_double_1d work);

@@ -29,7 +29,7 @@ static inline int64_t moving__open_given_motion(array_double_1d left_tables, arr
 /* Creepages of all patches in the outputs; in compliant contact vertical velocity and roll rate are
  * given, otherwise they follow from contact with both rails.
  */
-static inline int64_t moving__write_creepages(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static inline int64_t moving__write_creepages(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
     double vertical;
     double roll_rate;
@@ -37,8 +37,8 @@ static inline int64_t moving__write_creepages(array_double_1d left_tables, array
     moving__open_given_motion(left_tables, right_tables, work);
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
-        moving__constrain_side(left_tables, work, INT64_C(0));
-        moving__constrain_side(right_tables, work, INT64_C(1));
+        moving__constrain_side(left_tables, work, state, INT64_C(0));
+        moving__constrain_side(right_tables, work, state, INT64_C(1));
         contact_rates__contact_rates(&vertical, &roll_rate, work);
         wheelset_motion__set_rates(work, vertical, roll_rate);
     }
@@ -52,19 +52,21 @@ static inline int64_t moving__write_creepages(array_double_1d left_tables, array
 /* What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
  * elastic and carries a load.
  */
-static inline int64_t moving__constrain_side(array_double_1d tables, array_double_1d work, int64_t index)
+static inline int64_t moving__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
 {
-    int64_t constraint;
     int64_t out;
-    constraint = layout__WORK_MOTION + layout__MOTION_CONSTRAINTS + layout__CONSTRAINT_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((*cspan_at(&work, out + layout__SIDE_OUTPUTS_FORCE + INT64_C(2))) != 0.0))
     {
-        contact_rates__loaded_constraint(work, out, constraint);
+        contact_rates__loaded_constraint(work, out, layout__WORK_MOTION + layout__MOTION_CONSTRAINTS + layout__CONSTRAINT_SIZE * index);
     }
     else
     {
-        contact_rates__touching_constraint(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)), constraint);
+        if (requested__is_requested(tables, index) == INT64_C(0))
+        {
+            side__touch_side(tables, work, state, index);
+        }
+        contact_rates__touching_constraint(work, out, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_MOTION + layout__MOTION_CONSTRAINTS + layout__CONSTRAINT_SIZE * index);
     }
     return INT64_C(0);
 }

@@ -46,10 +46,6 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
         resultant__add_patches(work, tables, penetration, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-        if (damping__is_damped(tables) == INT64_C(1))
-        {
-            damping__damp_patches(work, tables, index, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-        }
         totals__write_patches(work, out);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {

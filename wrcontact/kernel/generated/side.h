@@ -9,7 +9,6 @@
 
 #include "../native/spans.h"
 #include "contact_point.h"
-#include "damping.h"
 #include "deep_points.h"
 #include "followed_overlaps.h"
 #include "gap.h"

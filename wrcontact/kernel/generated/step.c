@@ -49,7 +49,7 @@ static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1
     resultant__write_resultant(work, right_tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     if (moving__is_rolling(work) == INT64_C(1))
     {
-        moving__write_creepages(left_tables, right_tables, work);
+        moving__write_creepages(left_tables, right_tables, work, state);
     }
     requested__omit_outputs(right_tables, work);
     return status;

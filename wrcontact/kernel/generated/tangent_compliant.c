@@ -31,5 +31,10 @@ static inline int64_t tangent_compliant__load_at_height_t(array_double_1d tables
     {
         tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
+    if ((status == layout__VALID) && (damping__is_damped(tables) == INT64_C(1)))
+    {
+        tangent_damping__damp_patches_t(work, work_t, tables, index, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+        tangent_totals__write_patches_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    }
     return status;
 }

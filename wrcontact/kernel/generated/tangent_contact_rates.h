@@ -8,11 +8,8 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "tangent_locus.h"
-#include "tangent_profile_table.h"
 
-static inline int64_t tangent_contact_rates__turned_by_rail_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t);
-static inline int64_t tangent_contact_rates__touching_constraint_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double mirror, double mirror_t, int64_t constraint);
+static inline int64_t tangent_contact_rates__touching_constraint_t(array_double_1d work, array_double_1d work_t, int64_t side, double mirror, double mirror_t, int64_t constraint);
 static inline int64_t tangent_contact_rates__loaded_constraint_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t constraint);
 static inline int64_t tangent_contact_rates__known_part_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index);
 static inline int64_t tangent_contact_rates__contact_rates_t(double* vertical, double* vertical_t, double* roll_rate, double* roll_rate_t, array_double_1d work, array_double_1d work_t);

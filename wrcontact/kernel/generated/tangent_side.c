@@ -45,10 +45,6 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
         tangent_resultant__add_patches_t(work, work_t, tables, penetration, penetration_t, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-        if (damping__is_damped(tables) == INT64_C(1))
-        {
-            tangent_damping__damp_patches_t(work, work_t, tables, index, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-        }
         tangent_totals__write_patches_t(work, work_t, out);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {

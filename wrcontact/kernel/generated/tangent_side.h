@@ -7,12 +7,10 @@
 #define WRCONTACT_KERNEL_TANGENT_SIDE_H
 
 #include "../native/spans.h"
-#include "damping.h"
 #include "deep_points.h"
 #include "layout.h"
 #include "outlines.h"
 #include "tangent_contact_point.h"
-#include "tangent_damping.h"
 #include "tangent_followed_overlaps.h"
 #include "tangent_gap.h"
 #include "tangent_normal_contact.h"

@@ -326,7 +326,7 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
     tangent_resultant__write_resultant_t(work, work_t, right_tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     if (moving__is_rolling(work) == INT64_C(1))
     {
-        tangent_moving__write_creepages_t(left_tables, right_tables, work, work_t);
+        tangent_moving__write_creepages_t(left_tables, right_tables, work, work_t, state);
     }
     tangent_requested__omit_outputs_t(right_tables, work, work_t);
     return outcome;

@@ -11,43 +11,23 @@ it does not move the surface of a round wheel, whose normal goes through the axl
 
 from math import cos, sin
 
-from ..layout import Constraint, Inputs, Motion, Place, SideOutputs, SideSearch, Tables
-from ..surface.locus import around_wheel
-from ..surface.profile_table import height_slope
+from ..layout import Constraint, Inputs, Motion, SideOutputs
 
 
-def touching_constraint(tables: Tables, side: SideSearch, mirror: float, constraint: Constraint):
+def touching_constraint(motion: Motion, side: SideOutputs, mirror: float, constraint: Constraint):
     """The normal of the place where a rigid wheel touches its rail; ``mirror`` = 1 on the right, -1 on the
     left."""
-    place = side.place
-    wheel_height, wheel_slope = height_slope(tables.wheel, side.best_y)
-    r = place.radius + wheel_height
-    arm = place.arm + side.best_y
-    sin_phi, cos_phi = around_wheel(place, wheel_slope)
-    lateral = arm * place.cos_roll - r * cos_phi * place.sin_roll
-    x = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
-    y = place.sin_yaw * r * sin_phi + place.cos_yaw * lateral
-    z = arm * place.sin_roll + r * cos_phi * place.cos_roll
-    height, slope = height_slope(tables.rail, place.shift + y - tables.rail_y)
-    # of a right wheel the normal is (0, slope, -1) where its rail has no roll
-    normal_y, normal_z = turned_by_rail(place, slope, -1.0)
-    y, z = turned_by_rail(place, y, z)
-    # a mirror changes y, and of a moment x and z
-    constraint.y = mirror * normal_y
+    x = side.x_track
+    y = side.y_track - motion.centre_y
+    z = side.z_track - motion.centre_z
+    normal_y = -mirror * sin(side.contact_angle)
+    normal_z = -cos(side.contact_angle)
+    constraint.y = normal_y
     constraint.z = normal_z
-    constraint.moment_x = mirror * (y * normal_z - z * normal_y)
+    constraint.moment_x = y * normal_z - z * normal_y
     constraint.moment_y = -x * normal_z
-    constraint.moment_z = mirror * x * normal_y
+    constraint.moment_z = x * normal_y
     return 0
-
-
-def turned_by_rail(place: Place, y: float, z: float):
-    """Components to the field side and down, in the track, of a vector in the frame of the rail."""
-    if place.leaning:
-        across = y
-        y = place.rail_cos * across - place.rail_sin * z
-        z = place.rail_sin * across + place.rail_cos * z
-    return y, z
 
 
 def loaded_constraint(side: SideOutputs, constraint: Constraint):

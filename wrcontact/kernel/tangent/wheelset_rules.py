@@ -202,6 +202,6 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: 
     write_resultant(right_tables, work.inputs, work.outputs, work.supports[0].resultant,
                     work.supports[1].resultant)
     if is_rolling(work.inputs) == 1:
-        write_creepages(left_tables, right_tables, work)
+        write_creepages(left_tables, right_tables, work, state)
     omit_outputs(right_tables, work)
     return outcome

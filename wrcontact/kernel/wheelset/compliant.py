@@ -4,9 +4,10 @@ how deep it is in its rail."""
 from typing import Final
 
 from ..layout import OFF_PROFILE, VALID, State, Tables, Work
+from ..patch.totals import write_patches
 from ..search.roll import follow_side, place_both, search_both
 from ..search.starts import nearest_start
-from .damping import is_damped
+from .damping import damp_patches, is_damped
 from .leaning import set_reference
 from .moving import open_given_motion
 from .side import load_side, press_side, touch_side
@@ -62,4 +63,7 @@ def load_at_height(tables: Tables, work: Work, state: State, index: int, height:
     status = press_side(tables, work, state, index, approach)
     if status == VALID:
         count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
+    if status == VALID and is_damped(tables) == 1:
+        damp_patches(tables, work.motion, work.contact.solved, index, work.supports[index].resultant)
+        write_patches(work.contact.solved, work.outputs.left[index])
     return status

@@ -1,9 +1,11 @@
 """The motion of a wheelset whose contact is solved: its velocities, and the creepages of its patches."""
 
-from ..layout import MODE_COMPLIANT, MODE_ELASTIC, Inputs, Tables, Work
+from ..layout import MODE_COMPLIANT, MODE_ELASTIC, Inputs, State, Tables, Work
 from ..motion.contact_rates import contact_rates, loaded_constraint, touching_constraint
 from ..motion.creepage import write_side_creepages
 from ..motion.wheelset_motion import open_motion, open_rails, set_rates
+from .requested import is_requested
+from .side import touch_side
 
 
 def is_rolling(inputs: Inputs):
@@ -22,14 +24,14 @@ def open_given_motion(left_tables: Tables, right_tables: Tables, work: Work):
     return 0
 
 
-def write_creepages(left_tables: Tables, right_tables: Tables, work: Work):
+def write_creepages(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """Creepages of all patches in the outputs; in compliant contact vertical velocity and roll rate are
     given, otherwise they follow from contact with both rails."""
     motion = work.motion
     open_given_motion(left_tables, right_tables, work)
     if right_tables.mode != MODE_COMPLIANT:
-        constrain_side(left_tables, work, 0)
-        constrain_side(right_tables, work, 1)
+        constrain_side(left_tables, work, state, 0)
+        constrain_side(right_tables, work, state, 1)
         vertical, roll_rate = contact_rates(motion, work.inputs)
         set_rates(motion, work.inputs, vertical, roll_rate)
     for index in range(2):
@@ -37,13 +39,15 @@ def write_creepages(left_tables: Tables, right_tables: Tables, work: Work):
     return 0
 
 
-def constrain_side(tables: Tables, work: Work, index: int):
+def constrain_side(tables: Tables, work: Work, state: State, index: int):
     """What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
     elastic and carries a load."""
-    constraint = work.motion.constraints[index]
+    motion = work.motion
     out = work.outputs.left[index]
     if tables.mode == MODE_ELASTIC and out.force[2] != 0.0:
-        loaded_constraint(out, constraint)
+        loaded_constraint(out, motion.constraints[index])
     else:
-        touching_constraint(tables, work.sides[index], float(2 * index - 1), constraint)
+        if is_requested(tables, index) == 0:
+            touch_side(tables, work, state, index)
+        touching_constraint(motion, out, float(2 * index - 1), motion.constraints[index])
     return 0

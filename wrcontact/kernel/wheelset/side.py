@@ -27,7 +27,6 @@ from ..patch.outline import write_outline
 from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
 from .contact_point import describe_contact
-from .damping import damp_patches, is_damped
 from .outlines import fill_apart, outline_place
 from .resultant import add_patches, clear_resultant
 
@@ -55,8 +54,6 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
         return count, NOT_CONVERGED
     if work.contact.filling:
         add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
-        if is_damped(tables) == 1:
-            damp_patches(tables, work.motion, work.contact.solved, index, work.supports[index].resultant)
         write_patches(work.contact.solved, out)
         if tables.depth == DEPTH_ALL:
             outline = Outline.at(work, outline_place(tables, work, index))
