@@ -68,8 +68,9 @@ def simulated(fmu, rows, times, names):
 VALID = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.0,
          "vertical_shift_input": 0.0, "roll_input": 0.0, "speed": 0.0, "lateral_velocity": 0.0,
          "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "wheel_rate": 0.0,
-         "track_curvature": 0.0, **{f"{side}.rail_{part}_velocity": 0.0 for side in ("left", "right")
-                                    for part in ("lateral", "vertical", "roll")}}
+         "track_curvature": 0.0,
+         **{f"{side}.rail_{part}{kind}": 0.0 for side in ("left", "right")
+            for part in ("lateral", "vertical", "roll") for kind in ("", "_velocity")}}
 
 
 def outcomes(fmu, cases, start=None, valid=None):
