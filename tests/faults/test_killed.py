@@ -9,7 +9,7 @@ import time
 import pytest
 
 from tests.helpers.command_line import start
-from tests.helpers.faults import assert_files_are_whole, building, cli, needs_linux, parts_in
+from tests.helpers.faults import assert_files_are_whole, building, cli, loaded_cli, needs_linux, parts_in
 from tests.helpers.fmus import needs_compiler
 from wrcontact.cli.demo import apart
 from wrcontact.cli.door import Refused
@@ -49,15 +49,15 @@ def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
     """Of the group of processes, as a terminal sends it; the helper of the demo is in it too."""
     chance = random.Random(rounds)
     for _ in range(rounds):
-        program = cli(*(word.format(tmp_path) for word in words), start_new_session=True)
-        time.sleep(chance.uniform(1.5, 4.0))      # not before it has been loaded
+        program = loaded_cli(*(word.format(tmp_path) for word in words), start_new_session=True)
+        time.sleep(chance.uniform(0.2, 3.0))
         os.killpg(program.pid, signal.SIGINT)
         _, errors = program.communicate(timeout=120)
         lines = [line for line in errors.splitlines() if "WARNING" not in line]
         if program.returncode == 0:
             assert lines == []      # it had ended
         else:
-            assert program.returncode == 130 and lines == ["wrcontact: interrupted; no file is half written"]
+            assert lines == ["wrcontact: interrupted; no file is half written"] and program.returncode == 130
         assert_files_are_whole(tmp_path)
 
 

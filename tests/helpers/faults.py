@@ -27,7 +27,18 @@ def parts_in(folder):
 def cli(*words, **settings):
     """The command line in a process of its own, running; it hears interrupts also where these tests run in
     the background of a shell, which passes on to ignore them."""
-    command = [sys.executable, "-c", "from wrcontact.cli import main; main()", *map(str, words)]
+    return _program("from wrcontact.cli import main; main()", words, settings)
+
+
+def loaded_cli(*words, **settings):
+    """The same, returned when the package has been loaded, however long that takes on a busy machine."""
+    program = _program("from wrcontact.cli import main; print('loaded', flush=True); main()", words, settings)
+    assert program.stdout.readline() == "loaded\n", program.communicate()
+    return program
+
+
+def _program(source, words, settings):
+    command = [sys.executable, "-c", source, *map(str, words)]
     return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **settings)
 

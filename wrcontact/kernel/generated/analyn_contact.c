@@ -46,7 +46,6 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
         analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
         return 0;
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     if (by_penetration == INT64_C(0))
     {
         (*penetration) = estimate__first_penetration(work, tables, state, force);
@@ -89,34 +88,19 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
     return 0;
 }
 
-/* Open the regions where the wheel overlaps its rail, with their first local penetrations; their number.
- *
- * What was measured for the estimate is where the deepest region's widths are sought from.
+/* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
+ * number.
  */
 static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration)
 {
-    double low;
-    double high;
-    double measured;
     int64_t i;
-    int64_t region;
     int64_t count;
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
-    measured = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION));
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = pressed_regions__gather_overlaps(work, tables, state);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0) && (count > INT64_C(0)))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * deep_points__deepest_entry(work);
-        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = measured;
-    }
     estimate__start_penetrations(work, count, penetration);
     return count;
 }

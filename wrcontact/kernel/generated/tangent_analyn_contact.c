@@ -39,8 +39,6 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
         tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     if (by_penetration == INT64_C(0))
     {
         tangent_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, state, force, force_t);
@@ -90,22 +88,9 @@ static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetrat
 /* Tangent of ``gather_regions``. */
 static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double penetration, double penetration_t)
 {
-    double low_t;
-    double low;
-    double high_t;
-    double high;
-    double measured_t;
-    double measured;
     int64_t i;
     int64_t n1;
-    int64_t region;
     int64_t count;
-    low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW));
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW));
-    high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
-    measured_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION));
-    measured = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION));
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
@@ -115,16 +100,6 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d w
     }
     n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
     count = n1;
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0) && (count > INT64_C(0)))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * deep_points__deepest_entry(work);
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = measured_t;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = measured;
-    }
     tangent_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }

@@ -8,7 +8,6 @@
 
 #include "../native/spans.h"
 #include "analyn_contact.h"
-#include "deep_points.h"
 #include "layout.h"
 #include "node_layout.h"
 #include "tangent_analyn.h"

@@ -11,7 +11,7 @@ The estimate depends on pose and force alone and is smooth in them, and so is th
 from math import isfinite
 from typing import Final
 
-from ..contact.deep_points import deepest_entry, keep_deepest
+from ..contact.deep_points import keep_deepest
 from ..contact.planes import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import REGION_LIMIT, Contact, SideSearch, State, Tables
@@ -52,7 +52,6 @@ def solve_analyn(tables: Tables, contact: Contact, state: State, side: SideSearc
         penetration, count, satisfied = solve_estimated(tables, contact, state, contact.frame.depth, force,
                                                         by_penetration)
         return penetration, count, satisfied
-    contact.regions[0].width_penetration = 0.0
     if by_penetration == 0:
         penetration = first_penetration(tables, contact, state, force)
     count = 0
@@ -84,22 +83,12 @@ def solve_estimated(tables: Tables, contact: Contact, state: State, estimate: fl
 
 
 def gather_regions(tables: Tables, contact: Contact, state: State, penetration: float):
-    """Open the regions where the wheel overlaps its rail, with their first local penetrations; their number.
-
-    What was measured for the estimate is where the deepest region's widths are sought from.
-    """
-    low = contact.regions[0].width_low
-    high = contact.regions[0].width_high
-    measured = contact.regions[0].width_penetration
+    """Open the regions where the wheel overlaps its rail, with their first local penetrations; their
+    number."""
     for i in range(REGION_LIMIT):
         contact.regions[i].width_penetration = 0.0
         contact.regions[i].slant = 0.0
     count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
-    if contact.frame.sunk and count > 0:
-        region = contact.regions[deepest_entry(contact.overlap)]
-        region.width_low = low
-        region.width_high = high
-        region.width_penetration = measured
     start_penetrations(contact.regions, count, penetration)
     return count
 
