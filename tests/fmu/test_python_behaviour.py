@@ -6,8 +6,10 @@ import pytest
 
 from tests.helpers.cases import (
     INVALID_INPUTS,
+    LEFT_SIDE,
     OUTPUT_NAMES,
     WRONG_PARAMETERS,
+    moving_track,
     poses,
     pressed_poses,
     profile_file,
@@ -54,10 +56,15 @@ def test_lazy(run):
     assert seen["ahead"] == seen["after"]
 
 
+@pytest.mark.parametrize("moving", [False, True], ids=["alike and still", "different sides and moving rails"])
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
-def test_saved_states(run, mode):
-    rows = pressed_poses(20) if mode == "compliant" else poses(20)
-    seen = run("saved_states", rows=rows, names=OUTPUT_NAMES, start={"contact_mode": mode})
+def test_saved_states(run, mode, moving):
+    rows, start = pressed_poses(20) if mode == "compliant" else poses(20), {"contact_mode": mode}
+    if moving:
+        rows = moving_track(20, mode == "compliant")
+        start |= {**LEFT_SIDE, "contact_damping": 0.2}
+    seen = run("saved_states", rows=rows, names=OUTPUT_NAMES, start=start)
+    assert {one["status"] for one in seen["straight"]} == {0}
     assert seen["restored"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
     assert seen["refusals"] == [True] * 4 and seen["kept"]

@@ -119,3 +119,28 @@ def input_row(*first):
 
 
 MM = 1e-3
+
+#: A left side of its own, as FMUs' parameters.
+LEFT_SIDE = {"left_wheel_profile": "cone40", "left_rail_profile": "54E1", "left_nominal_radius": 0.4595,
+             "left_rail_inclination": 0.05}
+
+
+def moving_track(count, compliant=False):
+    """Poses of :func:`poses` over rails that are displaced, lean and move, with all velocities; with
+    ``compliant`` also the height and roll at which a wheelset with LEFT_SIDE carries their loads."""
+    sides = {name: (LEFT_SIDE[f"left_{name}{'_profile' * (name in ('wheel', 'rail'))}"], right)
+             for name, right in (("wheel", "S1002"), ("rail", "UIC60"), ("nominal_radius", 0.46),
+                                 ("rail_inclination", 1 / 40))}
+    made, rows = system(contact_mode="elastic", **sides), []
+    for k, pose in enumerate(poses(count)):
+        turn = 0.4 * k + np.arange(20)
+        pose |= {f"{side}.rail_{part}{kind}": size * float(np.sin(turn[3 * i + j + 6 * m] + 0.1))
+                 for i, side in enumerate(("left", "right"))
+                 for j, (part, size) in enumerate((("lateral", 1e-3), ("vertical", 1.2e-3), ("roll", 0.01)))
+                 for m, kind in enumerate(("", "_velocity"))}
+        state = made.evaluate(**{name.replace(".", "_"): value for name, value in pose.items()})
+        moving = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
+                  "roll_rate": 0.03, "wheel_rate": 54.0, "track_curvature": 2e-3}
+        rows.append({**pose, **moving, **({"vertical_shift_input": state.vertical_shift,
+                                           "roll_input": state.roll} if compliant else {})})
+    return rows

@@ -12,7 +12,8 @@
  *     native_host fuzz <seed> <calls>      one line of JSON, and an exit code other than 0 where something is wrong; a call
  *                                          that ends the program is told by its seed and number
  *     native_host threads <count> <file>   steps over the rows of inputs in the file, in threads and one after the other
- *     native_host allocations <file>       how many there are between the initialisation and the end
+ *     native_host allocations <variant> <file>    how many there are between the initialisation and the end; odd variants
+ *                                          have two different sides, and rails that lean and move
  *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
  *     native_host walk <seed> <steps> <variant>        a random walk over tread, flange root and flange, both wheels loaded
  *     native_host resumed <seed> <steps> <variant>     the same walk, going on from saved states at random times
@@ -707,12 +708,20 @@ static int read_rows(const char *path)
     return row_count ? OK : (printf("no rows in %s\n", path), OK + 1);
 }
 
-/* An instance that is ready to step; `variant` chooses among the methods. */
+/* An instance that is ready to step; `variant` chooses among the methods, and odd ones have a left side of their own. */
 static component ready(int variant)
 {
+    static const char *const LEFT[] = {"left_nominal_radius", "left_rail_inclination"};
+    static const double OTHER[] = {0.4593, 0.05};
     component c = NULL;
     while (!c)
         c = create("instance", MODEL_TOKEN);
+    for (int i = 0; variant % 2 && i < 2; i += 1)
+    {
+        const value_reference reference = (value_reference)(variable_named(LEFT[i]) - model_variables) + FIRST_INPUT;
+        if (set_reals(c, &reference, 1, &OTHER[i], 1) != OK)
+            printf("%s is refused\n", LEFT[i]), exit(1);
+    }
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
         if (model_variables[i].choice_count > 0)
         {
@@ -737,6 +746,24 @@ static int usual_row(component c, const double *row, double *values)
     int status = fmi3SetFloat64(c, five, 5, row, 5) | fmi3DoStep(c, 0.0, 1e-3, true, &a, &b, &d, &last);
     return status | fmi3GetFloat64(c, outputs, output_count, values, value_count);
 #endif
+}
+
+/* Let the rails be moved, lean and move in row `k`, and the wheelset too: all Real inputs but the usual five. */
+static int move_all(component c, int k)
+{
+    int status = OK;
+    for (int i = 5; model_variables[i].causality == MODEL_INPUT; i += 1)
+    {
+        const value_reference reference = (value_reference)i + FIRST_INPUT;
+        const double value = 0.02 * model_variables[i].high * sin(0.3 * k + i);
+        if (model_variables[i].type == MODEL_REAL)
+#if FMI == 2
+            status |= fmi2SetReal(c, &reference, 1, &value);
+#else
+            status |= fmi3SetFloat64(c, &reference, 1, &value, 1);
+#endif
+    }
+    return status;
 }
 
 static double now(void)
@@ -777,19 +804,21 @@ static int cost(void)
 }
 
 /* What a host does between the initialisation and the end, refused calls and log lines too. */
-static int count_allocations(void)
+static int count_allocations(int variant)
 {
     static double values[64 * LIST];
     const double nowhere[5] = {NAN, 0.0, 0.0, 1e5, 0.0};
     const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
     const value_reference profile = (value_reference)(variable_named("wheel_profile") - model_variables) + FIRST_INPUT;
     const char *word = NULL;
-    component c = ready(0);
+    component c = ready(variant);
     saved_state state = NULL;
     int outcome = 0, wrong = 0;
     const long before = allocations;
     for (int k = 0; k < row_count; k += 1)
     {
+        if (variant % 2)
+            wrong |= move_all(c, k);
         wrong |= usual_row(c, rows[k], values) | usual_row(c, rows[k], values);
         wrong |= integers(c, &status, 1, &outcome, 0) | texts(c, &profile, 1, &word, 0);
         if (k % 20 == 0)
@@ -812,7 +841,7 @@ static int count_allocations(void)
 
 typedef struct {
     component c;
-    int wrong;
+    int wrong, moving;
     double *seen;       /* all outputs of all rows */
 } runner;
 
@@ -820,13 +849,17 @@ static void *run_rows(void *argument)
 {
     runner *self = argument;
     for (int k = 0; k < row_count; k += 1)
+    {
+        if (self->moving)
+            self->wrong |= move_all(self->c, k) != OK;
         self->wrong |= usual_row(self->c, rows[k], self->seen + (size_t)k * value_count) != OK;
+    }
     return NULL;
 }
 
 static runner runner_of(int variant)
 {
-    runner made = {ready(variant), 0, calloc((size_t)row_count * value_count, sizeof(double))};
+    runner made = {ready(variant), 0, variant % 2, calloc((size_t)row_count * value_count, sizeof(double))};
     return made;
 }
 
@@ -1101,10 +1134,10 @@ int main(int count, char **arguments)
                          strcmp(arguments[1], "resumed") == 0);
     }
     if (count < 3 || read_rows(arguments[count - 1]) != OK)
-        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file> | "
+        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <variant> <file> | cost <file> | "
                       "walk <seed> <steps> <variant> | resumed <seed> <steps> <variant> | walks <seed> <steps> <threads>\n"), 2;
     seed = 3;
     if (count == 4 && strcmp(arguments[1], "threads") == 0)
         return run_threads(atoi(arguments[2]));
-    return strcmp(arguments[1], "cost") == 0 ? cost() : count_allocations();
+    return strcmp(arguments[1], "cost") == 0 ? cost() : count_allocations(count == 4 ? atoi(arguments[2]) : 0);
 }

@@ -10,6 +10,8 @@ import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.motion import creepages
 from tests.helpers.paths import REFERENCE_DATA
+from wrcontact.interface.motion import MOTION as MOTION_INPUTS
+from wrcontact.interface.rails import RAILS
 from wrcontact.kernel.layout import Work
 
 RADIUS = 0.46
@@ -146,12 +148,13 @@ def test_rotation_of_wheels_is_given_or_follows():
     np.testing.assert_array_equal(follows.values, given.values)
 
 
-@pytest.mark.parametrize("name", ["speed", "lateral_velocity", "vertical_velocity", "yaw_rate", "roll_rate",
-                                  "wheel_rate", "track_curvature", "free_rolling"])
-def test_not_a_number_is_refused(name):
-    state = system().evaluate(**{name: math.nan})
-    assert state.status == 4
-    assert f"{name} is nan" in wrcontact.status.explain(4, state.inputs)
+@pytest.mark.parametrize("row", [*RAILS, *MOTION_INPUTS], ids=lambda row: row.name)
+def test_not_a_number_is_refused(row):
+    """Infinite values neither, in any contact mode."""
+    for mode, value in (("rigid", math.nan), ("elastic", -math.inf), ("compliant", math.nan)):
+        state = system(contact_mode=mode).evaluate(**{row.keyword: value})
+        assert state.status == 4
+        assert f"{row.name} is {value}" in wrcontact.status.explain(4, state.inputs)
 
 
 def manchester():

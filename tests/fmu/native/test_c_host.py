@@ -53,11 +53,12 @@ def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
 
 
 @needs_glibc
+@pytest.mark.parametrize("variant", (0, 1, 5), ids=["alike", "two sides, moving rails, elastic", "compliant"])
 @pytest.mark.parametrize("version", (2, 3))
-def test_no_allocation_between_initialisation_and_end(linked_host, version, rows_file):
+def test_no_allocation_between_initialisation_and_end(linked_host, version, variant, rows_file):
     """Nor in any other part of the process; but the first of the states that are
     saved has to be somewhere."""
-    counted = answer_of(linked_host(version), "allocations", rows_file)
+    counted = answer_of(linked_host(version), "allocations", variant, rows_file)
     assert counted["rows"] > 100 and counted["wrong"] == 0
     assert counted["steps"] == counted["states"] == 0 and counted["first_state"] == 1
 

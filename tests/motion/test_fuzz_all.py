@@ -1,0 +1,202 @@
+"""Random wheelsets with two different sides over rails that are displaced and roll, while all moves: what has
+to hold at every pose. A failure prints the line of Python that is its pose."""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.contact_fuzz import amounts
+from tests.helpers.fuzzing import INCLINATIONS, log_uniform
+from tests.helpers.fuzzing import RAILS as RAIL_PROFILES
+from tests.motion.test_fuzz import creepages, motions
+from tests.motion.test_fuzz import mirrored as mirrored_motion
+from wrcontact.interface.rails import RAILS
+from wrcontact.status import Status
+
+SIDES = ("left", "right")
+MODES = ("rigid", "elastic", "compliant")
+MODELS = ("hertz", "analyn", "analyn_strip")
+#: Inputs of the pose that change their sign in the mirror.
+TURNED = ("lateral_shift", "yaw", "load_transfer", "roll_input")
+#: [N] lighter wheels sink in by less than a contact's place, known to 1e-12 m, tells of their patches
+LOADS = (1e3, 2e5)
+#: What a wheel has that is not negative.
+SIZES = ("normal_force", "area", "max_pressure", "patch_length", "patch_width")
+
+
+def draw_wheelset(rng, mode):
+    """Arguments of ContactSystem; pairs are (left, right)."""
+    radius = rng.uniform(0.4, 0.52)
+    pairs = dict(
+        wheel=rng.choice(("S1002", "S1002", "S1002", "cone20", "cone40"), 2),
+        rail=rng.choice(RAIL_PROFILES, 2),
+        nominal_radius=radius + rng.uniform(-1e-3, 1e-3, 2),
+        rail_inclination=rng.choice(INCLINATIONS, 2),
+    )
+    found = {name: tuple(values.tolist()) for name, values in pairs.items()}
+    found |= dict(contact_mode=mode, normal_model=str(rng.choice(MODELS)),
+                  gauge=float(rng.uniform(1.43, 1.44)))
+    if mode == "compliant":
+        found["contact_damping"] = float(rng.choice((0.0, 0.3)))
+    return found
+
+
+def draw_poses(rng, wheelset, count):
+    """Inputs (count,) by name: poses and loads, a third of the rails in their nominal place; motions."""
+    yaw = rng.uniform(-0.03, 0.03, count) * (rng.random(count) < 0.7)
+    transfer = rng.uniform(-0.9, 0.9, count) * (rng.random(count) < 0.5)
+    given = dict(lateral_shift=rng.uniform(-7e-3, 7e-3, count), yaw=yaw,
+                 normal_force=log_uniform(rng, *LOADS, count), load_transfer=transfer)
+    far = np.where(rng.random(count) < 0.02, 10.0, 1.0)     # now and then beyond all that is permitted
+    moved = {row.keyword: rng.uniform(-1, 1, count) * (0.03 if row.unit == "rad" else 3e-3)
+             * (rng.random(count) < 0.67) * far for row in RAILS}
+    if wheelset["contact_mode"] == "compliant":
+        stand = wrcontact.ContactSystem(**{**wheelset, "contact_mode": "rigid", "normal_model": "hertz",
+                                           "contact_damping": 0.0})
+        table = stand.evaluate_many(given["lateral_shift"], given["yaw"], outputs="geometry", **moved)
+        sink = rng.choice((-1, 1, 1, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
+        tilt = rng.choice((-1, 0, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
+        given["vertical_shift_input"] = np.nan_to_num(table.vertical_shift) + sink
+        given["roll_input"] = np.nan_to_num(table.roll) + tilt
+    return {**given, **moved, **motions(count, rng)}
+
+
+def mirrored(wheelset, given):
+    """The same in the mirror along the track: sides are exchanged, and what is across the track turns."""
+    motion = mirrored_motion({name: given[name] for name in motions(1, np.random.default_rng(0))})
+    found = {name: (-1 if name in TURNED else 1) * values for name, values in given.items()
+             if name not in motion}
+    for row in RAILS:
+        side, part = row.keyword.split("_", 1)
+        found[row.keyword] = (1 if part == "rail_vertical" else -1) * given[
+            f"{SIDES[1 - SIDES.index(side)]}_{part}"]
+    other = {name: values[::-1] if isinstance(values, tuple) else values for name, values in wheelset.items()}
+    return other, {**found, **motion}
+
+
+def line(wheelset, given, row):
+    """A line of Python that evaluates this pose."""
+    wheels = ", ".join(f"{name}={value!r}" for name, value in wheelset.items())
+    pose = ", ".join(f"{name}={float(values[row])!r}" for name, values in given.items() if values[row] != 0.0)
+    return f"ContactSystem({wheels}).evaluate({pose})"
+
+
+def assert_none(bad, wheelset, given, what, measure=None):
+    if np.any(bad):
+        row = int(np.flatnonzero(bad)[0])
+        found = "" if measure is None else f" {measure[row]:.3g}"
+        pytest.fail(f"{what}{found}, {np.count_nonzero(bad)} of {len(bad)}: {line(wheelset, given, row)}")
+
+
+def vectors(of, name):
+    """(3, n)"""
+    return np.array([getattr(getattr(of, name), axis) for axis in "xyz"])
+
+
+def patch_vectors(side, name):
+    """The sum over the patches (3, n)."""
+    return sum(vectors(patch, name) for patch in side.patches)
+
+
+def check_sound(wheelset, given, table):
+    """Statuses, numbers, loads and balance of one batch."""
+    check = dict(wheelset=wheelset, given=given)
+    good = table.status <= Status.UNLOADED
+    assert_none(table.status > Status.NOT_CONVERGED, what="status", **check)
+    assert_none(good & ~np.isfinite(table.values).all(axis=-1), what="not a number", **check)
+    compliant = wheelset["contact_mode"] == "compliant"
+    for name, sign in zip(SIDES, (-1, 1)):
+        side = getattr(table, name)
+        for size in SIZES:
+            assert_none(good & ~(getattr(side, size) >= 0), what=f"{name}.{size} is negative", **check)
+        total = sum(patch.normal_force for patch in side.patches)
+        for what, load in (("patches", total), *(() if compliant else (
+                ("inputs", given["normal_force"] * (1 + sign * given["load_transfer"])),))):
+            # solved to 1e-12, and added up over strips and nodes
+            off = np.where(good, np.abs(side.normal_force - load), 0.0) / (1.0 + np.abs(load))
+            assert_none(off > 1e-9, what=f"{name} misses the load of its {what} by", measure=off, **check)
+        force = vectors(side, "force")
+        off = np.where(good, np.abs(force - patch_vectors(side, "force")).max(axis=0), 0.0)
+        assert_none(off > 1e-12 * LOADS[1], what=f"{name}: patches miss the force by", measure=off, **check)
+        longer = np.where(good, np.linalg.norm(force, axis=0) - side.normal_force, 0.0)
+        assert_none(longer > 1e-9 * (1 + side.normal_force), what=f"{name}: a resultant above its loads",
+                    **check)
+    for name in ("force", "moment"):
+        both = vectors(table.left, name) + vectors(table.right, name)
+        off = np.where(good, np.abs(vectors(table, name) - both).max(axis=0), 0.0)
+        near = 1e-12 * (LOADS[1] + np.abs(both).max(axis=0))
+        assert_none(off > near, what=f"{name} of both wheels is off by", measure=off, **check)
+    return good
+
+
+def wheelsets(seed, scenes, mode):
+    for number in range(scenes):
+        rng = np.random.default_rng([seed, MODES.index(mode), number])
+        yield rng, draw_wheelset(rng, mode)
+
+
+def check_mirror(wheelset, given, table):
+    """The other wheelset in the mirrored pose has the statuses, heights and rolls of this one; how far the
+    patches and creepages are off, with left and right exchanged, relative (n,) each."""
+    other_wheelset, other_given = mirrored(wheelset, given)
+    there = wrcontact.ContactSystem(**other_wheelset).evaluate_many(**other_given)
+    check = dict(wheelset=wheelset, given=given)
+    assert_none(table.status != there.status, what="status in the mirror", measure=there.status, **check)
+    good = table.status <= Status.UNLOADED
+    for name, apart in (("roll", table.roll + there.roll),
+                        ("height", table.vertical_shift - there.vertical_shift)):
+        # rigid rolls are found to 1e-14 rad, elastic heights to 1e-13 m where stiffness is usual
+        assert_none(np.where(good, np.abs(apart), 0.0) > 1e-11, what=f"{name} in the mirror off by",
+                    measure=np.abs(apart), **check)
+    patches, slides = np.zeros(len(good)), np.zeros(len(good))
+    for one, other in ((table.left, there.right), (table.right, there.left)):
+        for name in SIZES:
+            mine, twin = getattr(one, name), getattr(other, name)
+            patches = np.maximum(patches, np.abs(mine - twin) / (1e-9 + np.abs(mine)))
+        mine, twin = creepages(one), creepages(other) * np.array([1, -1, -1])[None, :, None]
+        # 1e-6 m/s is the least V_ref
+        slides = np.maximum(slides, (np.abs(mine - twin) / (1e-3 + np.abs(mine))).max(axis=(0, 1)))
+    return patches[good], slides[good]
+
+
+@pytest.mark.parametrize("mode", MODES)
+@amounts((6, 50), (40, 100), (67, 500))
+def test_every_pose_is_sound_and_has_a_mirror_image(seed, scenes, poses, mode):
+    """Status 3 is left where the wheelset is about to snap from the flange root to the flange, which needs
+    leaning rails: 1 of 4000 poses."""
+    lost, patches, slides = 0, [], []
+    for rng, wheelset in wheelsets(seed, scenes, mode):
+        given = draw_poses(rng, wheelset, poses)
+        table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
+        good = check_sound(wheelset, given, table)
+        lost += np.count_nonzero(table.status == Status.NOT_CONVERGED)
+        near, slid = check_mirror(wheelset, given, table)
+        patches.append(near)
+        slides.append(slid)
+        assert good.mean() > 0.8
+    patches, slides = np.concatenate(patches), np.concatenate(slides)
+    assert lost <= 1 + 1e-3 * scenes * poses
+    # at a jump of the contact 1e-12 m decide; an edge strip of a conformal patch carries load or not
+    assert np.quantile(patches, 0.999) < 1e-6 and np.quantile(slides, 0.999) < 1e-6
+    assert patches.max() < 0.03 and slides.max() < 0.03
+
+
+@pytest.mark.parametrize("mode", MODES)
+@amounts((2, 30), (6, 100), (20, 500))
+def test_zeros_are_as_good_as_nothing(seed, scenes, poses, mode):
+    """Rails in their nominal place and a wheelset that does not move: the bits of a call without them. Sides
+    that are given twice are one."""
+    for rng, wheelset in wheelsets(seed, scenes, mode):
+        given = draw_poses(rng, wheelset, poses)
+        new = [name for name in given if name not in (*TURNED, "normal_force", "vertical_shift_input")]
+        plain = {name: values for name, values in given.items() if name not in new}
+        zeros = plain | {name: np.full(poses, float(name == "free_rolling")) for name in new}
+        system = wrcontact.ContactSystem(**wheelset)
+        one, other = system.evaluate_many(**plain), system.evaluate_many(**zeros)
+        np.testing.assert_array_equal(one.status, other.status)
+        np.testing.assert_array_equal(one.values, other.values)
+        pairs = {name: values for name, values in wheelset.items() if isinstance(values, tuple)}
+        once, twice = ({**wheelset, **{name: right if count == 1 else (right, right)
+                                       for name, (_, right) in pairs.items()}} for count in (1, 2))
+        one, other = (wrcontact.ContactSystem(**sides).evaluate_many(**given) for sides in (once, twice))
+        np.testing.assert_array_equal(one.values, other.values)

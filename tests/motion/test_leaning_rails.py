@@ -1,0 +1,87 @@
+"""Vertical velocity and roll rate that follow from contact, with rails that lean and move and sides that
+differ: against differences of the pose along the run."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.helpers.cases import system
+from wrcontact.interface.inputs import INPUTS
+from wrcontact.kernel.layout import Work
+from wrcontact.status import Status
+
+SIDES = dict(wheel=("S1002", "cone40"), rail=("54E1", "UIC60"), nominal_radius=(0.459, 0.46))
+#: Of all rails, in m and rad, and how fast they move, in m/s and rad/s.
+RAILS = dict(left_rail_lateral=1e-3, left_rail_vertical=0.5e-3, left_rail_roll=0.02,
+             right_rail_lateral=-0.7e-3, right_rail_vertical=-2e-3, right_rail_roll=-0.01)
+MOVING = dict(left_rail_lateral_velocity=0.01, left_rail_vertical_velocity=0.04, left_rail_roll_velocity=0.2,
+              right_rail_lateral_velocity=-0.03, right_rail_vertical_velocity=-0.02,
+              right_rail_roll_velocity=-0.1)
+#: Tread, flange root, flange of the left wheel.
+POSES = [(2e-3, 0.0), (2e-3, 0.01), (-3e-3, -0.02), (-4.5e-3, 0.004), (-6.8e-3, 0.015)]
+
+
+def moved(given, motion, time):
+    """The pose and rails after ``time`` [s]; a velocity is named after what it moves."""
+    found = dict(given)
+    for name, value in motion.items():
+        key = {"lateral_velocity": "lateral_shift", "yaw_rate": "yaw"}.get(name)
+        key = key or name.removesuffix("_velocity")
+        found[key] = found.get(key, 0.0) + value * time
+    return found
+
+
+def derived(stepper, given, motion):
+    """Status, vertical velocity [m/s] and roll rate [rad/s] that the wheelset has."""
+    keys = {"normal_force": 80e3, "speed": 20.0, **given, **motion}
+    stepper.inputs[:] = [keys.get(row.keyword, row.start) for row in INPUTS]
+    status, motion = stepper.step(), Work.at(stepper._workspace).motion
+    yaw = given["yaw"]
+    return status, np.array([motion.vertical, motion.turn_x * math.cos(yaw) + motion.turn_y * math.sin(yaw)])
+
+
+def differences(one, given, motion, step):
+    """The same of the pose, from ``step`` [s] before to after."""
+    before, after = (one.evaluate(normal_force=80e3, **moved(given, motion, time)) for time in (-step, step))
+    return np.array([after.vertical_shift - before.vertical_shift, after.roll - before.roll]) / (2 * step)
+
+
+@pytest.mark.parametrize("sides", [{}, SIDES], ids=["equal", "different"])
+@pytest.mark.parametrize("shift, yaw", POSES)
+def test_a_rigid_wheelset_follows_its_rails(shift, yaw, sides):
+    one = system(normal_model="hertz", **sides)
+    given = dict(lateral_shift=shift, yaw=yaw, **RAILS)
+    motion = dict(lateral_velocity=0.03, yaw_rate=0.02, **MOVING)
+    status, found = derived(one.stepper(), given, motion)
+    assert status == Status.VALID
+    # heights and rolls are found to 1e-14 over 1e-5 s, and the run's curvature adds 1e-10 of its velocities
+    np.testing.assert_allclose(found, differences(one, given, motion, 1e-5), rtol=1e-6, atol=1e-9)
+
+
+#: A motion of 1 m/s across the rails, or of the rail's crown of 0.3 m radius below the wheel.
+ALONE = {"lateral_velocity": 1.0, "left_rail_lateral_velocity": 1.0, "right_rail_vertical_velocity": 1.0,
+         "left_rail_roll_velocity": 1.0 / 0.3, "yaw_rate": 1.0 / 0.3}
+
+
+@pytest.mark.parametrize("model, count", [
+    ("hertz", 20), ("analyn", 20), pytest.param("hertz", 1000, marks=pytest.mark.slow),
+    pytest.param("analyn", 1000, marks=pytest.mark.slow)])
+def test_an_elastic_wheelset_follows_its_rails_but_for_its_depth(model, count):
+    """Its depth under its load changes where patches change their shape, and the rates leave this out: little
+    mostly, but much where a contact passes from one place of the wheel to another. The figures are those of
+    docs/conventions.md."""
+    one = system(contact_mode="elastic", normal_model=model, nominal_radius=(0.459, 0.46))
+    stepper, off, rng = one.stepper(), {name: [] for name in ALONE}, np.random.default_rng(3)
+    for _ in range(count):
+        given = {"lateral_shift": rng.uniform(-6e-3, 6e-3), "yaw": rng.uniform(-0.02, 0.02)}
+        given |= {name: rng.uniform(-1, 1) * (0.02 if "roll" in name else 2e-3) for name in RAILS}
+        for name, size in ALONE.items():
+            status, found = derived(stepper, given, {name: size})
+            if status == Status.VALID:
+                off[name].append(np.abs(found - differences(one, given, {name: size}, 1e-6))[0])
+    for name, values in off.items():
+        middle, most = np.quantile(values, [0.5, 0.95])
+        assert len(values) == count and middle < 0.004 and most < 0.05, name
+        if count == 1000:
+            assert middle < 0.0025 and most < 0.031, name
