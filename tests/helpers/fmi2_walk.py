@@ -39,7 +39,8 @@ def walk(fmu, seed, steps, resumed=False):
     native_host.c's walks."""
     instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
     reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
-    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"]
+    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"
+             and not v.name.startswith("equilibrium.")]
     references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
     angle, place, twin = (reals.index(reference[f"right.{name}"])
                           for name in ("contact_angle", "contact.y_wheel", "patch[2].normal_force"))
