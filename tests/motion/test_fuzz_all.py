@@ -162,8 +162,7 @@ def check_mirror(wheelset, given, table):
 @pytest.mark.parametrize("mode", MODES)
 @amounts((6, 50), (40, 100), (67, 500))
 def test_every_pose_is_sound_and_has_a_mirror_image(seed, scenes, poses, mode):
-    """Status 3 is left where the wheelset is about to snap from the flange root to the flange, which needs
-    leaning rails: 1 of 4000 poses."""
+    """Poses with status 3 are counted."""
     lost, patches, slides = 0, [], []
     for rng, wheelset in wheelsets(seed, scenes, mode):
         given = draw_poses(rng, wheelset, poses)
