@@ -326,12 +326,12 @@ SNAPPING = {
 }
 
 
-@pytest.mark.parametrize("model", ["hertz", "analyn"])
+@pytest.mark.parametrize("model", ["analyn", pytest.param("hertz", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("case", SNAPPING)
 def test_a_wheelset_that_is_about_to_snap_stands(case, model):
     """Rigid and elastic. At the height and roll of an elastic one a compliant wheelset carries its loads, but
-    where it snaps as its height is sought: it stands some micrometres beside that, 14 % of the load of a steep
-    flange. (With Hertz the load jumps there whatever the rails do.)"""
+    where it snaps as its height is sought: it stands some micrometres beside that, 14 % of the load of a
+    steep flange. (With Hertz the load jumps there whatever the rails do.)"""
     sides, pose = SNAPPING[case]
     rigid, elastic, compliant = (wrcontact.ContactSystem(contact_mode=mode, normal_model=model, **sides)
                                  for mode in ("rigid", "elastic", "compliant"))
