@@ -148,8 +148,10 @@ def test_every_input_and_parameter_has_an_option(run):
                                             "--load-transfer", "--vertical-shift-mm", "--roll-deg", "--speed",
                                             "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
                                             "--roll-rate", "--wheel-rate", "--track-curvature",
-                                            *(f"--{side}-rail-{part}-velocity" for side in ("left", "right")
-                                              for part in ("lateral", "vertical", "roll"))}
+                                            *(f"--{side}-rail-{part}" for side in ("left", "right")
+                                              for part in ("lateral-mm", "vertical-mm", "roll-deg",
+                                                           "lateral-velocity", "vertical-velocity",
+                                                           "roll-velocity"))}
     methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature",
                "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}

@@ -153,9 +153,9 @@ def test_build_passes_its_options_on(run, asked):
     assert run("build") == (0, "python\n", "")
     assert run("build", "--native", "--platforms", "x86_64-linux,x86_64-windows", "--wheel", "w.csv",
                "--rail", "54E1", "--output", "here", "--smoothing-um", 10) == (0, "fmi2\nfmi3\n", "")
-    nothing = {"wheel": None, "rail": None, "smoothing": None}
+    nothing = {"wheel": (None, None), "rail": (None, None), "smoothing": None}
     assert asked[0] == ("python", {"output": Path("dist"), **nothing})
-    assert asked[1] == ("native", {"output": Path("here"), "wheel": "w.csv", "rail": "54E1",
+    assert asked[1] == ("native", {"output": Path("here"), "wheel": (None, "w.csv"), "rail": (None, "54E1"),
                                    "smoothing": 1e-5, "platforms": ["x86_64-linux", "x86_64-windows"]})
 
 

@@ -29,7 +29,7 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     """Every region's deepest point along the rail's normals, at the pose where the wheelset carries FORCE."""
     stand = elastic().evaluate(shift, yaw)
     stepper, track = compliant().stepper(), brute_force.track()
-    stepper.inputs[:] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
+    stepper.inputs[:7] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
     overlap = layout.Work.at(stepper._workspace).contact.overlap
     points = overlap.points[:overlap.count]

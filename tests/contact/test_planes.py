@@ -119,7 +119,7 @@ def test_patches_press_on_each_other_over_their_distance(rail, inclination, shif
     """Equations (E3) and (8.4) of docs/method.md: 15 and more degrees apart the lead counts, 9 degrees apart
     it does not."""
     stepper = system(rail=rail, rail_inclination=inclination).stepper()
-    stepper.inputs[:] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0
+    stepper.inputs[:7] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0
     assert stepper.step() == 0
     side = layout.Outputs.at(stepper.outputs).left[1]
     contact = layout.Work.at(stepper._workspace).contact                 # of the right wheel, which came last

@@ -36,7 +36,7 @@ def test_the_ridge_of_a_yawed_wheel_s_patch_is_as_oblique_as_its_gap(shift, yaw)
     """Between both ends of the interpenetration, over the rail's arc length; up to 3 on a flange. The wheel
     has sunk to its estimated penetration."""
     stepper = system().stepper()
-    stepper.inputs[:] = shift, yaw, 0.0, FORCE, 0.0, 0.0, 0.0
+    stepper.inputs[:7] = shift, yaw, 0.0, FORCE, 0.0, 0.0, 0.0
     assert stepper.step() == 0
     contact = layout.Work.at(stepper._workspace).contact                 # of the right wheel, which came last
     region, point = contact.regions[0], contact.overlap.points[0]

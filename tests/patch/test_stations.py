@@ -160,7 +160,7 @@ def test_what_is_not_wanted_is_not_a_number(model):
 
 def test_an_unloaded_wheel_has_an_empty_outline_and_an_invalid_step_keeps_the_last_one():
     stepper = ContactSystem(stations=61).stepper()
-    stepper.inputs[:] = 2e-3, 0.0, 0.0, 78.5e3, 0.0, 0.0, 0.0
+    stepper.inputs[:7] = 2e-3, 0.0, 0.0, 78.5e3, 0.0, 0.0, 0.0
     assert stepper.step() == Status.VALID
     valid = stepper.outputs.copy()
     assert valid[-61:].any() and valid.shape == (layout.OUTPUT_COUNT + 6 * 61,)

@@ -31,7 +31,7 @@ def sampled_placements(count, seed, largest_roll):
     for trial in range(count):
         work.inputs.lateral_shift = rng.uniform(-0.01, 0.01)
         work.inputs.yaw = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
-        roll.place_both(tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
+        roll.place_both(tables, tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
         gaps, mismatches, _ = np.array([gap.vertical_gap(tables, place, where) for where in y]).T
         below = np.array([on_rail(tables, place, where) for where in y])
         yield tables, work.inputs, place, y, gaps, mismatches, below
@@ -65,7 +65,7 @@ def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
         turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
         slope, bend = rng.uniform(-bounds.STEEP, bounds.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
         z = rng.uniform(-0.02, 0.03)
-        locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.75)
+        locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.46, 0.75)
         _, _, _, stretch, rate = locus.outline_jet(place, rng.uniform(-0.04, 0.03), z, slope, bend)
         square = np.sin(yaw)**2
         widened = (bounds.ROLL_STRETCH * abs(np.sin(turn))

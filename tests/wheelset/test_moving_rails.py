@@ -149,8 +149,10 @@ def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name
         *pose, left_rail_lateral=left[1], left_rail_vertical=left[2],
         right_rail_lateral=right[1], right_rail_vertical=right[2])
     assert found.status == wanted.status == Status.VALID
-    assert found.roll == pytest.approx(wanted.roll, abs=1e-12)
-    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=1e-12)
+    # nodes of patches are traced to 1e-6 m in either frame, which moves heights by its square over radii
+    near = 1e-12 if name == "rigid hertz" else 1e-11
+    assert found.roll == pytest.approx(wanted.roll, abs=near)
+    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=near)
     for side in ("left", "right"):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         for part in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track"):

@@ -14,7 +14,7 @@ SELDOM = {"separation": "separation"} | dict.fromkeys((
     "overlaps", "planes", "pressed", "pressed_regions", "touching", "trial"))
 #: Small functions of the innermost loops that are always inlined. Without it the compiler leaves them out
 #: where the unit has grown enough, and a rigid step takes up to 5 % more instructions.
-INLINED = {("locus", "around_wheel")}
+INLINED = {("bounds", "clear_exponent"), ("locus", "around_wheel")}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
                  "log log10 log1p pow sin sinh sqrt tan tanh".split())

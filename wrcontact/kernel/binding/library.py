@@ -72,8 +72,9 @@ class Kernel:
     def bind(self, tables, state, workspace, inputs, outputs, left=None):
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are.
         ``tables`` are those of the right side, ``left`` those of the left one; None is the same."""
-        arrays = (checked("left", tables if left is None else left, SETTING_COUNT),
-                  checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
+        tables = checked("tables", tables, SETTING_COUNT)
+        left = tables if left is None else checked("left", left, SETTING_COUNT)
+        arrays = (left, tables, checked("state", state, STATE_SIZE, written=True),
                   checked("workspace", workspace, WORK_SIZE, written=True),
                   checked("inputs", inputs, INPUT_COUNT),
                   checked("outputs", outputs, row_size(Tables.at(tables)), written=True))

@@ -135,7 +135,7 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
  * abscissa : of the node on the rail [m].
  * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
  */
-static inline int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
+static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
 {
     double u;
     double length;

@@ -32,7 +32,7 @@ static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, d
 static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u);
 static inline int64_t bounds__stretch_bend(double* length, double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, int64_t exponent, double u);
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
-static inline int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
+static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
