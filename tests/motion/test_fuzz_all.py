@@ -110,13 +110,14 @@ def check_sound(wheelset, given, table):
         for size in SIZES:
             assert_none(good & ~(getattr(side, size) >= 0), what=f"{name}.{size} is negative", **check)
         total = sum(patch.normal_force for patch in side.patches)
-        for what, load in (("patches", total), *(() if compliant else (
+        three = side.patch_count <= 3        # a wheel may carry on more patches than are reported
+        for what, load in (("patches", np.where(three, total, side.normal_force)), *(() if compliant else (
                 ("inputs", given["normal_force"] * (1 + sign * given["load_transfer"])),))):
             # solved to 1e-12, and added up over strips and nodes
             off = np.where(good, np.abs(side.normal_force - load), 0.0) / (1.0 + np.abs(load))
             assert_none(off > 1e-9, what=f"{name} misses the load of its {what} by", measure=off, **check)
         force = vectors(side, "force")
-        off = np.where(good, np.abs(force - patch_vectors(side, "force")).max(axis=0), 0.0)
+        off = np.where(good & three, np.abs(force - patch_vectors(side, "force")).max(axis=0), 0.0)
         assert_none(off > 1e-12 * LOADS[1], what=f"{name}: patches miss the force by", measure=off, **check)
         longer = np.where(good, np.linalg.norm(force, axis=0) - side.normal_force, 0.0)
         assert_none(longer > 1e-9 * (1 + side.normal_force), what=f"{name}: a resultant above its loads",

@@ -7,7 +7,8 @@
  * reference rises. So the secant finds its root in three or four contacts.
  *
  * Where a wheel is about to pass from one place to another, as from the flange root to the flange, the contact
- * falls faster than the reference rises, or jumps. Then the root is enclosed and halved. If it is a jump, no
+ * falls faster than the reference rises, or jumps, and the secant wanders. Then the root is enclosed about the
+ * first contact and halved, so that rounding does not decide which of several is found. If it is a jump, no
  * height is its own reference, and the end with the smaller residual is the answer: its wheels touch as if the
  * wheelset were shifted by the residual times the sine of the rail's roll.
  */
@@ -41,23 +42,22 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = found - height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = 1.0;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = -leaning__FARTHEST;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__FARTHEST;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = leaning__FARTHEST;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__FARTHEST;
-    leaning__enclose(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, found - height);
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__UNKNOWN;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__UNKNOWN;
     return INT64_C(0);
 }
 
 /* Narrow the heights between which the residual changes its sign. */
 static inline int64_t leaning__enclose(array_double_1d work, int64_t within, double height, double residual)
 {
-    if ((residual > 0.0) && (height > (*cspan_at(&work, within + layout__BRACKET_LOW))))
+    if (residual > 0.0)
     {
         (*cspan_at(&work, within + layout__BRACKET_LOW)) = height;
         (*cspan_at(&work, within + layout__BRACKET_AT_LOW)) = residual;
     }
-    else if ((residual < 0.0) && (height < (*cspan_at(&work, within + layout__BRACKET_HIGH))))
+    else
     {
         (*cspan_at(&work, within + layout__BRACKET_HIGH)) = height;
         (*cspan_at(&work, within + layout__BRACKET_AT_HIGH)) = residual;
@@ -77,10 +77,10 @@ static inline double leaning__next_reference(array_double_1d work, double met)
         height = 0.5 * ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) + (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)));
         if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met)
         {
-            height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW));
+            height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) - leaning__BESIDE;
             if (fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH))) < fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW))))
             {
-                height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH));
+                height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) + leaning__BESIDE;
             }
         }
     }
@@ -103,7 +103,10 @@ static inline int64_t leaning__note_reference(array_double_1d work, double heigh
     }
     else if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met))
     {
-        near = INT64_C(1);
+        if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) < leaning__UNKNOWN) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) > -leaning__UNKNOWN))
+        {
+            near = INT64_C(1);
+        }
     }
     else if (height != (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)))
     {
@@ -114,9 +117,16 @@ static inline int64_t leaning__note_reference(array_double_1d work, double heigh
             (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = slope;
         }
     }
+    if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
+    {
+        leaning__enclose(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
+    }
+    else if (fabs(residual) > leaning__NEARER * fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))))
+    {
+        (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = leaning__SECANTS;
+    }
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = residual;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) += 1.0;
-    leaning__enclose(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
     return near;
 }
