@@ -147,9 +147,10 @@ def check_mirror(wheelset, given, table):
     for name, apart in (("roll", table.roll + there.roll),
                         ("height", table.vertical_shift - there.vertical_shift)):
         # rigid rolls are found to 1e-14 rad; elastic heights to 1e-13 m, beside a jump to 1e-9 m
-        near = 1e-8 if wheelset["contact_mode"] == "elastic" else 1e-11
-        assert_none(np.where(good, np.abs(apart), 0.0) > near, what=f"{name} in the mirror off by",
-                    measure=np.abs(apart), **check)
+        elastic = wheelset["contact_mode"] == "elastic"
+        off = np.where(good, np.abs(apart), 0.0) > (1e-8 if elastic else 1e-11)
+        assert_none(off & ~elastic, what=f"{name} in the mirror off by", measure=np.abs(apart), **check)
+        good = good & ~off
     patches, slides = np.zeros(len(good)), np.zeros(len(good))
     for one, other in ((table.left, there.right), (table.right, there.left)):
         for name in SIZES:
@@ -164,19 +165,21 @@ def check_mirror(wheelset, given, table):
 @pytest.mark.parametrize("mode", MODES)
 @amounts((6, 50), (40, 100), (67, 500))
 def test_every_pose_is_sound_and_has_a_mirror_image(seed, scenes, poses, mode):
-    """Poses with status 3 are counted."""
-    lost, patches, slides = 0, [], []
+    """Poses with status 3 are counted, and elastic ones that snap as their height is sought: in the mirror they
+    may stand elsewhere, 1 of 20 000."""
+    lost, snapped, patches, slides = 0, 0, [], []
     for rng, wheelset in wheelsets(seed, scenes, mode):
         given = draw_poses(rng, wheelset, poses)
         table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
         good = check_sound(wheelset, given, table)
         lost += np.count_nonzero(table.status == Status.NOT_CONVERGED)
         near, slid = check_mirror(wheelset, given, table)
+        snapped += np.count_nonzero(good) - len(near)
         patches.append(near)
         slides.append(slid)
         assert good.mean() > 0.8
     patches, slides = np.concatenate(patches), np.concatenate(slides)
-    assert lost <= 1 + 1e-3 * scenes * poses
+    assert lost <= 1 + 1e-4 * scenes * poses and snapped <= 1 + 3e-4 * scenes * poses
     # at a jump of the contact 1e-12 m decide; an edge strip of a conformal patch carries load or not
     assert np.quantile(patches, 0.999) < 1e-6 and np.quantile(slides, 0.999) < 1e-6
     assert patches.max() < 0.03 and slides.max() < 0.03
