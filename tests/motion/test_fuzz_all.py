@@ -165,8 +165,8 @@ def check_mirror(wheelset, given, table):
 @pytest.mark.parametrize("mode", MODES)
 @amounts((6, 50), (40, 100), (67, 500))
 def test_every_pose_is_sound_and_has_a_mirror_image(seed, scenes, poses, mode):
-    """Poses with status 3 are counted, and elastic ones that snap as their height is sought: in the mirror they
-    may stand elsewhere, 1 of 20 000."""
+    """Poses with status 3 are counted, and elastic ones that snap as their height is sought, which may stand
+    elsewhere in the mirror: 1 of 20 000."""
     lost, snapped, patches, slides = 0, 0, [], []
     for rng, wheelset in wheelsets(seed, scenes, mode):
         given = draw_poses(rng, wheelset, poses)
