@@ -182,7 +182,9 @@ def test_every_pose_is_sound_and_has_a_mirror_image(seed, scenes, poses, mode):
     assert lost <= 1 + 1e-4 * scenes * poses and snapped <= 1 + 3e-4 * scenes * poses
     # at a jump of the contact 1e-12 m decide; an edge strip of a conformal patch carries load or not
     assert np.quantile(patches, 0.999) < 1e-6 and np.quantile(slides, 0.999) < 1e-6
-    assert patches.max() < 0.03 and slides.max() < 0.03
+    # and an elastic wheelset beside a jump of a wheel's load, by 1e-8 m, carries it here or there
+    beside = np.count_nonzero((patches > 0.03) | (slides > 0.03))
+    assert beside <= (3e-4 * len(patches) if mode == "elastic" else 0)
 
 
 @pytest.mark.parametrize("mode", MODES)
