@@ -5,6 +5,12 @@
  *
  * The residual, how much lower the contact is found than the reference, falls at a rate of nearly one as the
  * reference rises. So the secant finds its root in three or four contacts.
+ *
+ * Where a wheel is about to pass from one place to another, as from the flange root to the flange, the contact
+ * falls faster than the reference rises, or jumps, and the secant wanders. Then the root is enclosed about the
+ * first contact and halved, so that rounding does not decide which of several is found. If it is a jump, no
+ * height is its own reference, and the end with the smaller residual is the answer: its wheels touch as if the
+ * wheelset were shifted by the residual times the sine of the rail's roll.
  */
 
 #include "leaning.h"
@@ -35,19 +41,54 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = found - height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = 1.0;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__UNKNOWN;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__UNKNOWN;
     return INT64_C(0);
 }
 
-/* Where the residual vanishes by its last value and slope [m]. */
-static inline double leaning__next_reference(array_double_1d work)
+/* Narrow the heights between which the residual changes its sign. */
+static inline int64_t leaning__enclose(array_double_1d work, int64_t within, double height, double residual)
 {
-    double result;
-    result = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) / (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE));
-    return result;
+    if (residual > 0.0)
+    {
+        (*cspan_at(&work, within + layout__BRACKET_LOW)) = height;
+        (*cspan_at(&work, within + layout__BRACKET_AT_LOW)) = residual;
+    }
+    else
+    {
+        (*cspan_at(&work, within + layout__BRACKET_HIGH)) = height;
+        (*cspan_at(&work, within + layout__BRACKET_AT_HIGH)) = residual;
+    }
+    return INT64_C(0);
+}
+
+/* Where the residual vanishes by its last value and slope [m]; after many contacts the middle of what
+ * encloses it, and at last the better end.
+ */
+static inline double leaning__next_reference(array_double_1d work, double met)
+{
+    double height;
+    height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) / (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE));
+    if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
+    {
+        height = 0.5 * ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) + (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)));
+        if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met)
+        {
+            height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) - leaning__BESIDE;
+            if (fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH))) < fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW))))
+            {
+                height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) + leaning__BESIDE;
+            }
+        }
+    }
+    return height;
 }
 
 /* Note that for the reference ``height`` the contact was ``found`` [m]; 1 if that is the same to ``met``,
- * else 0.
+ * or the better end of a jump, else 0.
  */
 static inline int64_t leaning__note_reference(array_double_1d work, double height, double found, double met)
 {
@@ -60,6 +101,13 @@ static inline int64_t leaning__note_reference(array_double_1d work, double heigh
     {
         near = INT64_C(1);
     }
+    else if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met))
+    {
+        if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) < leaning__UNKNOWN) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) > -leaning__UNKNOWN))
+        {
+            near = INT64_C(1);
+        }
+    }
     else if (height != (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)))
     {
         slope = (residual - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))) / (height - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)));
@@ -69,7 +117,16 @@ static inline int64_t leaning__note_reference(array_double_1d work, double heigh
             (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = slope;
         }
     }
+    if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
+    {
+        leaning__enclose(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
+    }
+    else if (fabs(residual) > leaning__NEARER * fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))))
+    {
+        (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = leaning__SECANTS;
+    }
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = residual;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) += 1.0;
     return near;
 }

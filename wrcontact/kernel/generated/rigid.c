@@ -57,7 +57,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
     leaning__open_reference(work, 0.0, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)));
     for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
     {
-        height = leaning__next_reference(work);
+        height = leaning__next_reference(work, leaning__RIGID_MET);
         leaning__set_reference(work, height);
         first_root__solve_roll(&roll, &status, work, left_tables, right_tables, state, roll, INT64_C(1));
         if (status != layout__VALID)

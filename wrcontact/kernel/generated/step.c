@@ -91,7 +91,7 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
     leaning__open_reference(work, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)), step__support_height(work));
     for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
     {
-        height = leaning__next_reference(work);
+        height = leaning__next_reference(work, leaning__ELASTIC_MET);
         leaning__set_reference(work, height);
         roll__place_both(work, left_tables, right_tables, rigid_roll);
         if (trial__turn_to(left_tables, right_tables, work, state, rigid_roll) == INT64_C(0))

@@ -55,6 +55,8 @@ class Reference:
     height: float                   # the last one [m]
     residual: float                 # how much lower the contact was found [m]
     slope: float                    # how that follows the height [-]
+    contacts: float                 # how many were found
+    within: Bracket                 # heights below and above the one that is sought, and their residuals
 
 
 @record

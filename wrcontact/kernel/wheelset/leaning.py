@@ -3,15 +3,30 @@ which is found together with the contact.
 
 The residual, how much lower the contact is found than the reference, falls at a rate of nearly one as the
 reference rises. So the secant finds its root in three or four contacts.
+
+Where a wheel is about to pass from one place to another, as from the flange root to the flange, the contact
+falls faster than the reference rises, or jumps, and the secant wanders. Then the root is enclosed about the
+first contact and halved, so that rounding does not decide which of several is found. If it is a jump, no
+height is its own reference, and the end with the smaller residual is the answer: its wheels touch as if the
+wheelset were shifted by the residual times the sine of the rail's roll.
 """
 
 from math import fabs
 from typing import Final
 
-from ..layout import Reference, Sides
+from ..layout import Bracket, Reference, Sides
 
 #: Contacts until the reference has to be met.
-MEETINGS: Final[int] = 20
+MEETINGS: Final[int] = 80
+#: Contacts after which the root is enclosed and halved, or after one that is not nearer by this factor.
+SECANTS: Final[float] = 10.0
+NEARER: Final[float] = 0.5
+#: The root is taken to lie within this distance of the first contact [m].
+FARTHEST: Final[float] = 4e-3
+#: So far beside a jump rounding does not decide on which of its sides the contact is found [m].
+BESIDE: Final[float] = 1e-9
+#: A residual that was not computed [m].
+UNKNOWN: Final[float] = 1.0
 #: Rigid and elastic contact have met their reference when they differ by less [m]; sideways it is a twentieth
 #: of that at most.
 RIGID_MET: Final[float] = 1e-14
@@ -41,26 +56,58 @@ def open_reference(reference: Reference, height: float, found: float):
     reference.height = height
     reference.residual = found - height
     reference.slope = -1.0
+    reference.contacts = 1.0
+    reference.within.low = found - FARTHEST
+    reference.within.at_low = UNKNOWN
+    reference.within.high = found + FARTHEST
+    reference.within.at_high = -UNKNOWN
     return 0
 
 
-def next_reference(reference: Reference):
-    """Where the residual vanishes by its last value and slope [m]."""
-    return reference.height - reference.residual / reference.slope
+def enclose(within: Bracket, height: float, residual: float):
+    """Narrow the heights between which the residual changes its sign."""
+    if residual > 0.0:
+        within.low = height
+        within.at_low = residual
+    else:
+        within.high = height
+        within.at_high = residual
+    return 0
+
+
+def next_reference(reference: Reference, met: float):
+    """Where the residual vanishes by its last value and slope [m]; after many contacts the middle of what
+    encloses it, and at last the better end."""
+    height = reference.height - reference.residual / reference.slope
+    if reference.contacts > SECANTS:
+        height = 0.5 * (reference.within.low + reference.within.high)
+        if reference.within.high - reference.within.low < met:
+            height = reference.within.low - BESIDE
+            if fabs(reference.within.at_high) < fabs(reference.within.at_low):
+                height = reference.within.high + BESIDE
+    return height
 
 
 def note_reference(reference: Reference, height: float, found: float, met: float):
     """Note that for the reference ``height`` the contact was ``found`` [m]; 1 if that is the same to ``met``,
-    else 0."""
+    or the better end of a jump, else 0."""
     residual = found - height
     near = 0
     if fabs(residual) < met:
         near = 1
+    elif reference.contacts > SECANTS and reference.within.high - reference.within.low < met:
+        if reference.within.at_low < UNKNOWN and reference.within.at_high > -UNKNOWN:
+            near = 1
     elif height != reference.height:
         slope = (residual - reference.residual) / (height - reference.height)
         reference.slope = -1.0
         if slope > STEEPEST_FALL and slope < FLATTEST_FALL:
             reference.slope = slope
+    if reference.contacts > SECANTS:
+        enclose(reference.within, height, residual)
+    elif fabs(residual) > NEARER * fabs(reference.residual):
+        reference.contacts = SECANTS
     reference.height = height
     reference.residual = residual
+    reference.contacts += 1.0
     return near

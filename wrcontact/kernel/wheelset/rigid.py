@@ -55,7 +55,7 @@ def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, sta
     on: both are sought together with the vertical shift."""
     open_reference(work.reference, 0.0, work.sides[1].best)
     for i in range(MEETINGS):
-        height = next_reference(work.reference)
+        height = next_reference(work.reference, RIGID_MET)
         set_reference(work.sides, height)
         roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state,
                                   roll, 1)

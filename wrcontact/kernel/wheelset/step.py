@@ -91,7 +91,7 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: S
     roll = rigid_roll
     open_reference(work.reference, work.sides[1].place.reference, support_height(work))
     for i in range(MEETINGS):
-        height = next_reference(work.reference)
+        height = next_reference(work.reference, ELASTIC_MET)
         set_reference(work.sides, height)
         place_both(left_tables, right_tables, work.inputs, work.sides, rigid_roll)
         if turn_to(left_tables, right_tables, work, state, rigid_roll) == 0:
