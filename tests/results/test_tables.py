@@ -159,7 +159,7 @@ def test_pandas(table):
     pytest.importorskip("pandas")
     frame = table.to_pandas()
     np.testing.assert_array_equal(frame["right.patch[1].area"], table["right.patch[1].area"])
-    assert frame["status"].tolist() == [0, 0, 2, 0] and frame.shape == (4, 7 + 336 + 1)
+    assert frame["status"].tolist() == [0, 0, 2, 0] and frame.shape == (4, 27 + 354 + 1)
 
 
 def test_xarray(table):
