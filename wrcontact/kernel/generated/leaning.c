@@ -49,22 +49,6 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
     return INT64_C(0);
 }
 
-/* Narrow the heights between which the residual changes its sign. */
-static inline int64_t leaning__enclose(array_double_1d work, int64_t within, double height, double residual)
-{
-    if (residual > 0.0)
-    {
-        (*cspan_at(&work, within + layout__BRACKET_LOW)) = height;
-        (*cspan_at(&work, within + layout__BRACKET_AT_LOW)) = residual;
-    }
-    else
-    {
-        (*cspan_at(&work, within + layout__BRACKET_HIGH)) = height;
-        (*cspan_at(&work, within + layout__BRACKET_AT_HIGH)) = residual;
-    }
-    return INT64_C(0);
-}
-
 /* Where the residual vanishes by its last value and slope [m]; after many contacts the middle of what
  * encloses it, and at last the better end.
  */
@@ -119,7 +103,7 @@ static inline int64_t leaning__note_reference(array_double_1d work, double heigh
     }
     if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
     {
-        leaning__enclose(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
+        brackets__narrow_bracket(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
     }
     else if (fabs(residual) > leaning__NEARER * fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))))
     {

@@ -17,6 +17,7 @@
 #define WRCONTACT_KERNEL_LEANING_H
 
 #include "../native/spans.h"
+#include "brackets.h"
 #include "layout.h"
 
 static const int64_t leaning__MEETINGS = INT64_C(80);
@@ -33,7 +34,6 @@ static const double leaning__FLATTEST_FALL = -0.5;
 static inline int64_t leaning__set_reference(array_double_1d work, double height);
 static inline int64_t leaning__is_leaning(array_double_1d work);
 static inline int64_t leaning__open_reference(array_double_1d work, double height, double found);
-static inline int64_t leaning__enclose(array_double_1d work, int64_t within, double height, double residual);
 static inline double leaning__next_reference(array_double_1d work, double met);
 static inline int64_t leaning__note_reference(array_double_1d work, double height, double found, double met);
 

@@ -42,14 +42,17 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
 /* Give a placed wheelset another roll [rad]. */
 static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll)
 {
-    double sin_roll;
-    double cos_roll;
+    locus__set_roll(work, place, sin(roll), cos(roll));
+    return INT64_C(0);
+}
+
+/* Give a placed wheelset the roll with this sine and cosine, and what (2.2) needs of it. */
+static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll)
+{
     double t;
     double cos_t;
     double w_per_slope;
     double tan_yaw;
-    sin_roll = sin(roll);
-    cos_roll = cos(roll);
     t = 0.0;
     cos_t = 1.0;
     w_per_slope = 0.0;

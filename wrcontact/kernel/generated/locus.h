@@ -18,6 +18,7 @@
 #include "layout.h"
 #include "profile_table.h"
 
+static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll);
 static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll);
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm);
 static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);

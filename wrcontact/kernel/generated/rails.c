@@ -62,10 +62,6 @@ static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place)
     double across;
     double sine;
     double cosine;
-    double t;
-    double cos_t;
-    double w_per_slope;
-    double tan_yaw;
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
     along = (-(*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW))) * cos_roll;
@@ -75,21 +71,7 @@ static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place)
     cosine = sqrt(along * along + across * across);
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = (-along) / cosine;
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = across / cosine;
-    t = 0.0;
-    cos_t = 1.0;
-    w_per_slope = 0.0;
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
-    {
-        tan_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        t = tan_yaw * sine;
-        cos_t = 1.0 / sqrt(1.0 + t * t);
-        w_per_slope = tan_yaw * cosine * cos_t;
-    }
-    (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sine;
-    (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cosine;
-    (*cspan_at(&work, place + layout__PLACE_T)) = t;
-    (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
+    locus__set_roll(work, place, sine, cosine);
     return INT64_C(0);
 }
 

@@ -17,6 +17,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "locus.h"
 
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);

@@ -46,10 +46,13 @@ static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, arra
 /* Tangent of ``turn_wheelset``. */
 static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double roll, double roll_t)
 {
-    double sin_roll_t;
-    double sin_roll;
-    double cos_roll_t;
-    double cos_roll;
+    tangent_locus__set_roll_t(work, work_t, place, sin(roll), cos(roll) * roll_t, cos(roll), (-sin(roll)) * roll_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``set_roll``. */
+static inline int64_t tangent_locus__set_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, double sin_roll, double sin_roll_t, double cos_roll, double cos_roll_t)
+{
     double t_t;
     double t;
     double cos_t_t;
@@ -63,10 +66,6 @@ static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array
     double v3;
     double v4;
     double v5;
-    sin_roll_t = cos(roll) * roll_t;
-    sin_roll = sin(roll);
-    cos_roll_t = (-sin(roll)) * roll_t;
-    cos_roll = cos(roll);
     t_t = 0.0;
     t = 0.0;
     cos_t_t = 0.0;

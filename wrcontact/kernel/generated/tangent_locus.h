@@ -11,6 +11,7 @@
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
 
+static inline int64_t tangent_locus__set_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, double sin_roll, double sin_roll_t, double cos_roll, double cos_roll_t);
 static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double roll, double roll_t);
 static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double height, double height_t, double arm, double arm_t);
 static inline int64_t tangent_locus__mirror_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored);

@@ -80,19 +80,6 @@ static inline int64_t tangent_rails__turn_leaning_t(array_double_1d work, array_
     double v4;
     double v5;
     double v6;
-    double t_t;
-    double t;
-    double cos_t_t;
-    double cos_t;
-    double w_per_slope_t;
-    double w_per_slope;
-    double v7;
-    double tan_yaw_t;
-    double tan_yaw;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
     sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
@@ -117,38 +104,7 @@ static inline int64_t tangent_rails__turn_leaning_t(array_double_1d work, array_
     v6 = across / cosine;
     (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = (across_t - v6 * cosine_t) / cosine;
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = v6;
-    t_t = 0.0;
-    t = 0.0;
-    cos_t_t = 0.0;
-    cos_t = 1.0;
-    w_per_slope_t = 0.0;
-    w_per_slope = 0.0;
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
-    {
-        v7 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        tan_yaw_t = ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) - v7 * (*cspan_at(&work_t, place + layout__PLACE_COS_YAW))) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        tan_yaw = v7;
-        t_t = tan_yaw_t * sine + tan_yaw * sine_t;
-        t = tan_yaw * sine;
-        v8 = 1.0 + t * t;
-        v9 = sqrt(v8);
-        v10 = 1.0 / v9;
-        cos_t_t = (-v10) * tangent_rates__root_rate(v9, t_t * t + t * t_t) / v9;
-        cos_t = v10;
-        v11 = tan_yaw * cosine;
-        w_per_slope_t = (tan_yaw_t * cosine + tan_yaw * cosine_t) * cos_t + v11 * cos_t_t;
-        w_per_slope = v11 * cos_t;
-    }
-    (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) = sine_t;
-    (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sine;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) = cosine_t;
-    (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cosine;
-    (*cspan_at(&work_t, place + layout__PLACE_T)) = t_t;
-    (*cspan_at(&work, place + layout__PLACE_T)) = t;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_T)) = cos_t_t;
-    (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope_t;
-    (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
+    tangent_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return INT64_C(0);
 }
 

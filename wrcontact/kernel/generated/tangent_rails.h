@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "tangent_locus.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_rails__move_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral, double lateral_t, double vertical, double vertical_t);

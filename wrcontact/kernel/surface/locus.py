@@ -40,8 +40,12 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
 
 def turn_wheelset(place: Place, roll: float):
     """Give a placed wheelset another roll [rad]."""
-    sin_roll = sin(roll)
-    cos_roll = cos(roll)
+    set_roll(place, sin(roll), cos(roll))
+    return 0
+
+
+def set_roll(place: Place, sin_roll: float, cos_roll: float):
+    """Give a placed wheelset the roll with this sine and cosine, and what (2.2) needs of it."""
     t = 0.0
     cos_t = 1.0
     w_per_slope = 0.0

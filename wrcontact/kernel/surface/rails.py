@@ -13,6 +13,7 @@ sought, the reference follows it (wheelset/leaning.py).
 from math import cos, sin, sqrt
 
 from ..layout import Place
+from .locus import set_roll
 
 
 def move_rail(place: Place, lateral: float, vertical: float):
@@ -55,19 +56,7 @@ def turn_leaning(place: Place):
     cosine = sqrt(along * along + across * across)
     place.sin_yaw = -along / cosine
     place.cos_yaw = across / cosine
-    t = 0.0
-    cos_t = 1.0
-    w_per_slope = 0.0
-    if place.yawed:
-        tan_yaw = place.sin_yaw / place.cos_yaw
-        t = tan_yaw * sine
-        cos_t = 1.0 / sqrt(1.0 + t * t)
-        w_per_slope = tan_yaw * cosine * cos_t
-    place.sin_roll = sine
-    place.cos_roll = cosine
-    place.t = t
-    place.cos_t = cos_t
-    place.w_per_slope = w_per_slope
+    set_roll(place, sine, cosine)
     return 0
 
 

@@ -14,7 +14,8 @@ wheelset were shifted by the residual times the sine of the rail's roll.
 from math import fabs
 from typing import Final
 
-from ..layout import Bracket, Reference, Sides
+from ..layout import Reference, Sides
+from .brackets import narrow_bracket
 
 #: Contacts until the reference has to be met.
 MEETINGS: Final[int] = 80
@@ -64,17 +65,6 @@ def open_reference(reference: Reference, height: float, found: float):
     return 0
 
 
-def enclose(within: Bracket, height: float, residual: float):
-    """Narrow the heights between which the residual changes its sign."""
-    if residual > 0.0:
-        within.low = height
-        within.at_low = residual
-    else:
-        within.high = height
-        within.at_high = residual
-    return 0
-
-
 def next_reference(reference: Reference, met: float):
     """Where the residual vanishes by its last value and slope [m]; after many contacts the middle of what
     encloses it, and at last the better end."""
@@ -104,7 +94,7 @@ def note_reference(reference: Reference, height: float, found: float, met: float
         if slope > STEEPEST_FALL and slope < FLATTEST_FALL:
             reference.slope = slope
     if reference.contacts > SECANTS:
-        enclose(reference.within, height, residual)
+        narrow_bracket(reference.within, height, residual)
     elif fabs(residual) > NEARER * fabs(reference.residual):
         reference.contacts = SECANTS
     reference.height = height
