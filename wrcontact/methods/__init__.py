@@ -18,6 +18,15 @@ from .method import Method
 from .normal_model import NormalModel, Resolution
 from .separation import Equidistant, EquidistantChord, NormalSeparation, VerticalSeparation
 from .strip import Strip
+from .tangential_model import (
+    CoupledStrips,
+    Fastsim,
+    Fastrip,
+    HalfspaceRolling,
+    NoTangential,
+    Polach,
+    TangentialModel,
+)
 
 __all__ = [
     "CHOICES",
@@ -27,21 +36,28 @@ __all__ = [
     "Analyn",
     "BasicCurvature",
     "Compliant",
+    "CoupledStrips",
     "EffectiveCurvature",
     "Elastic",
     "Equidistant",
     "EquidistantChord",
+    "Fastrip",
+    "Fastsim",
     "Halfspace",
+    "HalfspaceRolling",
     "Hertz",
     "Method",
+    "NoTangential",
     "NormalLoad",
     "NormalModel",
     "NormalSeparation",
+    "Polach",
     "Resolution",
     "Rigid",
     "Rough",
     "Smooth",
     "Strip",
+    "TangentialModel",
     "VerticalLoad",
     "VerticalSeparation",
     "family_of",

@@ -12,6 +12,14 @@ from .load import NormalLoad, VerticalLoad
 from .longitudinal_curvature import BasicCurvature, EffectiveCurvature
 from .separation import Equidistant, EquidistantChord, NormalSeparation, VerticalSeparation
 from .strip import Strip
+from .tangential_model import (
+    CoupledStrips,
+    Fastsim,
+    Fastrip,
+    HalfspaceRolling,
+    NoTangential,
+    Polach,
+)
 
 
 @dataclass(frozen=True)
@@ -62,6 +70,12 @@ FAMILIES = (
         (EffectiveCurvature, BasicCurvature),
     ),
     Family("lateral_curvature", "LATERAL", "relative lateral curvature", (Adaptive, Smooth, Rough)),
+    Family(
+        "tangential_model",
+        "TANGENTIAL",
+        "creep forces",
+        (NoTangential, CoupledStrips, Fastsim, Fastrip, Polach, HalfspaceRolling),
+    ),
 )
 
 #: Names that an FMU and the command line offer, by parameter; the first one is the default.

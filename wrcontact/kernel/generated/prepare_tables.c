@@ -65,6 +65,7 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
     nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
+    (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 + nu));
     (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = layout__LATERAL_LIMIT;
     (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = layout__YAW_LIMIT;
     (*cspan_at(&tables, layout__TABLES_NODES)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES)));
@@ -89,6 +90,7 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
 {
     (*cspan_at(&tables, layout__TABLES_MODE)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE)));
     (*cspan_at(&tables, layout__TABLES_LOAD)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD)));
+    (*cspan_at(&tables, layout__TABLES_TANGENTIAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)));
     (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)));
     (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION)));
     (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE)));

@@ -19,5 +19,6 @@ from .search import *  # noqa: F403
 from .sizes import *  # noqa: F403
 from .surface import *  # noqa: F403
 from .tables import *  # noqa: F403
+from .tangential import *  # noqa: F403
 from .wheelset import *  # noqa: F403
 from .work import *  # noqa: F403

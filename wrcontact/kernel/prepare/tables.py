@@ -87,6 +87,7 @@ def write_settings(setup: Setup, tables: Tables):
     tables.arm = 0.5 * setup.parameters.running_circle_distance
     nu = setup.parameters.poisson_ratio
     tables.contact_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 - nu * nu))
+    tables.shear_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 + nu))
     tables.lateral_limit = LATERAL_LIMIT
     tables.yaw_limit = YAW_LIMIT
     tables.nodes = setup.resolution.nodes
@@ -108,6 +109,7 @@ def write_methods(setup: Setup, tables: Tables):
     """The chosen methods."""
     tables.mode = setup.parameters.contact_mode
     tables.load = setup.parameters.load
+    tables.tangential = setup.parameters.tangential_model
     tables.normal_model = setup.parameters.normal_model
     tables.separation = setup.parameters.separation
     tables.longitudinal = setup.parameters.longitudinal_curvature

@@ -1,0 +1,17 @@
+/* Generated from tangential/tangential_contact.py by tools/transpile_kernel.py; change that one.
+ *
+ * The creep force of a patch by the chosen model.
+ */
+
+#include "tangential_contact.h"
+
+/* Force, moment, stick share and largest traction of a patch that rolls, into its record. */
+static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables)
+{
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_STICK_SHARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MAX_SHEAR)) = 0.0;
+    return INT64_C(0);
+}

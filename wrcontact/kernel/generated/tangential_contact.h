@@ -1,0 +1,14 @@
+/* Generated from tangential/tangential_contact.py by tools/transpile_kernel.py; change that one.
+ *
+ * The creep force of a patch by the chosen model.
+ */
+
+#ifndef WRCONTACT_KERNEL_TANGENTIAL_CONTACT_H
+#define WRCONTACT_KERNEL_TANGENTIAL_CONTACT_H
+
+#include "../native/spans.h"
+#include "layout.h"
+
+static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables);
+
+#endif

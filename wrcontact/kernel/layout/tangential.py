@@ -1,0 +1,43 @@
+"""Records of the room tangential: a patch that rolls, as the models of creep forces read it.
+
+They know one frame: x forward, y = station to the field side, and the normal x times y.  Creepages are the
+velocity of the wheel against the rail over the rolling speed.
+"""
+
+from typing import Final
+
+from .record import record
+
+ROLLING_STRIP_LIMIT: Final[int] = 16
+
+
+@record
+class RollingStrip:
+    """A strip of the patch along the rolling direction."""
+
+    y: float                        # its middle, from the point that the creepages hold for [m]
+    width: float                    # [m]
+    x: float                        # how far its middle is ahead of that point [m]
+    half_length: float              # [m]
+    line_load: float                # load per width [N/m]
+    slip: float                     # its longitudinal creepage [-]
+
+
+@record
+class RollingPatch:
+    """What a model of creep forces reads, and what it finds."""
+
+    count: int                      # strips
+    load: float                     # normal force [N]
+    half_length: float              # semi-axes of the ellipse with its area, length over width [m]
+    half_width: float
+    friction: float                 # coefficient of friction [-]
+    creepage_x: float               # [-]
+    creepage_y: float
+    spin: float                     # [1/m]
+    strips: RollingStrip * ROLLING_STRIP_LIMIT
+    force_x: float                  # what is found: force on the wheel [N]
+    force_y: float
+    moment: float                   # and moment about the normal through the point [N m]
+    stick_share: float              # share of the area that sticks [-]
+    max_shear: float                # largest traction [Pa]

@@ -1,0 +1,69 @@
+"""How creep forces follow from a solved patch and its creepages."""
+
+from .method import Method
+from .numbers import frozen
+
+
+class TangentialModel(Method):
+    """How tractions and creep forces follow from a solved patch, its creepages and its friction."""
+
+    parameter = "tangential_model"
+
+
+@frozen
+class NoTangential(TangentialModel):
+    """Contact without friction, which costs nothing."""
+
+    name = "none"
+    kernel_number = 0
+    words = "no friction"
+
+
+@frozen
+class CoupledStrips(TangentialModel):
+    """Coupled strips with a correction from exact solutions of ellipses
+    (wrcontact/kernel/tangential/strips.py)."""
+
+    name = "strips"
+    kernel_number = 1
+    words = "coupled strips, corrected by exact solutions of ellipses"
+
+
+@frozen
+class Fastsim(TangentialModel):
+    """Kalker's simplified theory (wrcontact/kernel/tangential/fastsim.py)."""
+
+    name = "fastsim"
+    kernel_number = 2
+    words = "Kalker's simplified theory, FASTSIM"
+
+
+@frozen
+class Fastrip(TangentialModel):
+    """Strip theory joined with FASTSIM (wrcontact/kernel/tangential/fastrip.py)."""
+
+    name = "fastrip"
+    kernel_number = 3
+    words = "strip theory with FASTSIM, FaStrip"
+
+
+@frozen
+class Polach(TangentialModel):
+    """Polach's formula for one ellipse (wrcontact/kernel/tangential/polach.py)."""
+
+    name = "polach"
+    kernel_number = 4
+    words = "Polach's formula for one ellipse"
+
+
+@frozen
+class HalfspaceRolling(TangentialModel):
+    """Steady rolling by the complete half-space theory (wrcontact/reference/rolling).
+
+    It needs scipy, so an FMU does not have it.
+    """
+
+    name = "halfspace"
+    kernel_number = NoTangential.kernel_number     # its forces are computed outside the kernel
+    words = "complete theory of steady rolling on the half-space"
+    python_only = True
