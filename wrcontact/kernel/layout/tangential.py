@@ -6,6 +6,7 @@ velocity of the wheel against the rail over the rolling speed.
 
 from typing import Final
 
+from .interface import PATCH_LIMIT
 from .record import record
 
 ROLLING_STRIP_LIMIT: Final[int] = 16
@@ -21,6 +22,10 @@ class RollingStrip:
     half_length: float              # [m]
     line_load: float                # load per width [N/m]
     slip: float                     # its longitudinal creepage [-]
+    station: float                  # along the rail's profile, from the contact point [m]
+    y_track: float                  # track coordinates of its middle [m]
+    z_track: float
+    rolling_radius: float           # there [m]
 
 
 @record
@@ -41,3 +46,11 @@ class RollingPatch:
     moment: float                   # and moment about the normal through the point [N m]
     stick_share: float              # share of the area that sticks [-]
     max_shear: float                # largest traction [Pa]
+
+
+@record
+class RollingSide:
+    """The patches of a wheel that are reported, by falling load."""
+
+    count: int
+    patches: RollingPatch * PATCH_LIMIT
