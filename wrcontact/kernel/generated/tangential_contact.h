@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "polach.h"
 
 static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables);
 
