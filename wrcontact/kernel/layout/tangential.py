@@ -7,9 +7,23 @@ velocity of the wheel against the rail over the rolling speed.
 from typing import Final
 
 from .interface import PATCH_LIMIT
-from .record import record
+from .record import Float, record
 
 ROLLING_STRIP_LIMIT: Final[int] = 16
+
+# the table of rolling: columns over the shape of a patch, ln(a/b), as cubics over even cells
+SHAPE_START: Final[float] = -3.0
+SHAPE_PER_UNIT: Final[float] = 4.0
+SHAPE_CELLS: Final[int] = 28
+SHAPE_COLUMNS: Final[int] = 3        # 1/C11, 1/C22, 1/C23
+SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
+
+
+@record
+class RollingTable:
+    """What the models of creep forces read, for one Poisson's ratio (binding/rolling_table.py)."""
+
+    shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
 
 
 @record

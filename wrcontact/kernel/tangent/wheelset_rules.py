@@ -13,7 +13,6 @@ rules of their rooms, this file the wheelset and the whole step, ``differentiate
 """
 
 from math import cos, fabs, sin
-from typing import Final
 
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
@@ -22,7 +21,7 @@ from ..wheelset.compliant import load_at_height
 from ..wheelset.creep_forces import has_creep_forces, write_creep_forces
 from ..wheelset.damping import is_damped
 from ..wheelset.elastic import UNBALANCED
-from ..wheelset.friction_load import carried_share, carries_friction
+from ..wheelset.friction_load import LOAD_RATES, carried_share, carries_friction
 from ..wheelset.leaning import set_reference
 from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
@@ -30,9 +29,6 @@ from ..wheelset.resultant import write_resultant
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
 from .intrinsics import held, moving, rate_of, seeded
-
-#: Turns in which the rate of what friction carries is found; each leaves a tenth of the one before at most.
-LOAD_RATES: Final[int] = 4
 
 
 def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: float):

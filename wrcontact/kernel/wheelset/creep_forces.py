@@ -67,7 +67,7 @@ def open_rolling(tables: Tables, motion: Motion, patch: RollingPatch, to: Patch,
                                                            strip.rolling_radius)
         strip.slip = velocity_along(motion, y, z, rolling_x) / speed
     sliding = speed * sqrt(to.creepage_x * to.creepage_x + to.creepage_y * to.creepage_y)
-    patch.friction = patch_friction(tables.parameters, friction, to.contact_angle, sliding)
+    patch.friction = patch_friction(tables, friction, to.contact_angle, sliding)
     reduce_slope(tables, patch)
     return 0
 

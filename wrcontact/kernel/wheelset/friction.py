@@ -12,7 +12,7 @@ multiplied by k.
 from math import exp, fabs, sqrt
 from typing import Final
 
-from ..layout import Parameters, RollingPatch, Tables
+from ..layout import RollingPatch, Tables
 from ..tangential.shapes import kalker_coefficients
 
 PI: Final[float] = 3.141592653589793
@@ -20,22 +20,23 @@ PI: Final[float] = 3.141592653589793
 FLANGE_RANGE: Final[float] = 0.2
 
 
-def patch_friction(parameters: Parameters, friction: float, angle: float, sliding: float):
+def patch_friction(tables: Tables, friction: float, angle: float, sliding: float):
     """Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
     where that of its side is ``friction``."""
     found = friction
+    parameters = tables.parameters
     if parameters.flange_friction_ratio != 1.0:
-        found *= 1.0 + (parameters.flange_friction_ratio - 1.0) * flange_share(parameters, angle)
+        found *= 1.0 + (parameters.flange_friction_ratio - 1.0) * flange_share(tables, angle)
     if parameters.friction_fall_rate > 0.0:
         fall = parameters.friction_fall
         found *= (1.0 - fall) * exp(-parameters.friction_fall_rate * sliding) + fall
     return found
 
 
-def flange_share(parameters: Parameters, angle: float):
+def flange_share(tables: Tables, angle: float):
     """How much of the flange's friction there is at a contact ``angle`` [rad]: 0 on the tread, 1 on the
     flange, with a smooth slope."""
-    share = 0.5 + 0.5 * (angle - parameters.flange_friction_angle) / FLANGE_RANGE
+    share = 0.5 + 0.5 * (angle - tables.parameters.flange_friction_angle) / FLANGE_RANGE
     if share < 0.0:
         share = 0.0
     if share > 1.0:

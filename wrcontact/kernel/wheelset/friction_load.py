@@ -17,6 +17,8 @@ from .creep_forces import has_creep_forces
 LOAD_MET: Final[float] = 1e-4
 #: The wheelset is solved again so often at most; only flanges under large friction need more than three.
 LOAD_PASSES: Final[int] = 6
+#: Turns in which the rate of the load is found; each leaves a tenth of the one before at most.
+LOAD_RATES: Final[int] = 4
 #: In one turn the load changes by a factor between this and its inverse; friction that carries more than half of
 #: it would jam the wheel.
 LARGEST_CHANGE: Final[float] = 2.0
