@@ -118,8 +118,8 @@ WHEELSET = (
            field="normal_part", follows=ANSWERED),
     Vector("normal.moment", "N.m", 1e4, "Moment of this part about the wheelset's centre, around the axis "
            "{axis}", field="normal_moment", follows=ANSWERED),
-    Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they turn "
-           "the wheels forward", follows=ANSWERED),
+    Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they "
+           "turn the wheels forward", follows=ANSWERED),
 )
 
 SIDES = ("left", "right")
