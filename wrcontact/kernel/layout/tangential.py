@@ -40,6 +40,9 @@ class RollingStrip:
     y_track: float                  # track coordinates of its middle [m]
     z_track: float
     rolling_radius: float           # there [m]
+    force_x: float                  # what is found: its part of the creep force [N],
+    force_y: float
+    moment: float                   # and the moment of its lateral tractions about the patch's point [N m]
 
 
 @record
@@ -51,6 +54,7 @@ class RollingPatch:
     half_length: float              # semi-axes of the ellipse with its area, length over width [m]
     half_width: float
     friction: float                 # coefficient of friction [-]
+    speed: float                    # the rolling speed [m/s]
     creepage_x: float               # [-]
     creepage_y: float
     spin: float                     # [1/m]
