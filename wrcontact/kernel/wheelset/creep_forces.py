@@ -24,7 +24,7 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..motion.creepage import STANDSTILL, patch_speed, rolling_velocity, velocity_along
+from ..motion.creepage import STANDSTILL, patch_speed, reference_speed, rolling_velocity, velocity_along
 from ..tangential.tangential_contact import solve_tangential
 from .friction import patch_friction, reduce_slope
 from .moving import is_rolling
@@ -49,7 +49,7 @@ def write_creep_forces(left_tables: Tables, right_tables: Tables, work: Work):
 
 def write_side_creep(tables: Tables, work: Work, index: int, friction: float):
     """Creep forces of the patches of side ``index``, whose coefficient of friction is ``friction``."""
-    rolling = work.rolling[index]
+    rolling = work.rolling_sides[index]
     side = work.outputs.left[index]
     mirror = float(2 * index - 1)
     for number in range(rolling.count):
@@ -73,8 +73,12 @@ def open_rolling(tables: Tables, motion: Motion, patch: RollingPatch, to: Patch,
     patch.creepage_x = to.creepage_x
     patch.creepage_y = -mirror * to.creepage_y
     patch.spin = -mirror * to.spin
-    speed = patch_speed(motion, to)
+    rolling_x, rolling_y, rolling_z = rolling_velocity(motion, to.x_track, to.y_track - motion.centre_y,
+                                                       to.z_track - motion.centre_z, to.rolling_radius)
+    speed = reference_speed(motion, rolling_x)
     patch.speed = speed
+    patch.backwards = motion.speed + rolling_x < 0.0
+    patch.published = tables.parameters.published_spin == 1.0
     for index in range(patch.count):
         strip = patch.strips[index]
         y = strip.y_track - motion.centre_y

@@ -1,9 +1,8 @@
 """Shear and slip over the outline of a wheel, for models of wear.
 
-Of a strip with the creep force F_i, the half-length a_i and the width h_i, which slides with w_i beside its own
-rolling,
+Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
 
-    shear = |F_i| / (2 a_i h_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
+    shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
 
 so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
 edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the middles
@@ -57,10 +56,10 @@ def wear_at(patch: RollingPatch, station: float):
 
 def strip_shear(strip: RollingStrip):
     """Creep force per area of a strip [Pa]."""
-    area = 2.0 * strip.half_length * strip.width
     shear = 0.0
-    if area > 0.0:
-        shear = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y) / area
+    if strip.half_length > 0.0:
+        force = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y)
+        shear = force / (2.0 * strip.half_length)
     return shear
 
 
