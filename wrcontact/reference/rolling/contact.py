@@ -119,7 +119,8 @@ def rolling_contact(field, *, creepage_x, creepage_y, spin, friction, shear_modu
     bound = friction * field.pressure
     influence = slip_influence(bound.shape, field.steps, float(shear_modulus), float(poisson_ratio))
     tractions = np.zeros((2, *bound.shape)) if start is None else refined(start.tractions, bound.shape)
-    state, steps = solve_friction(influence, rigid_slip(field, creepage_x, creepage_y, spin), bound, tractions)
+    slip = rigid_slip(field, creepage_x, creepage_y, spin)
+    state, steps = solve_friction(influence, slip, bound, tractions)
     return RollingSolution(field, state.tractions, state.slip, state.slips, steps)
 
 

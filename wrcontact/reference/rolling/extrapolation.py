@@ -38,8 +38,8 @@ class RollingForces:
 def extrapolated(coarse, fine):
     """:class:`RollingForces` of solutions whose cells differ by the factor 2.
 
-    The grid's error is proportional to the cell: ``F = 2 F_fine - F_coarse``.  (R8)  The stick share is cut to
-    0 ... 1 and the dissipation to positive values.
+    The grid's error is proportional to the cell: ``F = 2 F_fine - F_coarse``.  (R8)  The stick share is cut
+    to 0 ... 1 and the dissipation to positive values.
     """
     names = ("force_x", "force_y", "moment", "stick_share", "dissipation")
     values = {name: 2.0 * getattr(fine, name) - getattr(coarse, name) for name in names}

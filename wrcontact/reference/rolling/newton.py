@@ -64,7 +64,8 @@ def newton_step(friction, influence, scale):
 
     def precondition(vector):
         by_row = vector.astype(np.float32).reshape(2, rows, columns).transpose(1, 0, 2)
-        return (inverses @ by_row.reshape(rows, 2 * columns, 1)).reshape(rows, 2, columns).transpose(1, 0, 2).ravel().astype(float)
+        found = (inverses @ by_row.reshape(rows, 2 * columns, 1)).reshape(rows, 2, columns)
+        return found.transpose(1, 0, 2).astype(float).ravel()
 
     def derivative(vector):
         change = vector.reshape(2, rows, columns)
