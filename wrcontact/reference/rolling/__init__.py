@@ -10,9 +10,11 @@ The equations (R1) ... are those of docs/rolling.md.  Lengths in m, pressures in
 (ny, nx), x along the rolling direction.  Python only; the models of the kernel are measured against it.
 """
 
-from .contact import RollingSolution, rolling_contact
+from .contact import RollingSolution, contact_of_slip, rigid_slip, rolling_contact
 from .extrapolation import RollingForces, extrapolated, roll_ellipse, roll_outline
+from .patches import outline_of_patch, roll_patch
 from .pressure import Outline, PressureField
 
-__all__ = ["Outline", "PressureField", "RollingForces", "RollingSolution", "extrapolated", "roll_ellipse",
-           "roll_outline", "rolling_contact"]
+__all__ = ["Outline", "PressureField", "RollingForces", "RollingSolution", "contact_of_slip",
+           "extrapolated", "outline_of_patch", "rigid_slip", "roll_ellipse", "roll_outline", "roll_patch",
+           "rolling_contact"]

@@ -115,11 +115,20 @@ def rolling_contact(field, *, creepage_x, creepage_y, spin, friction, shear_modu
     ArithmeticError
         if the Newton steps do not converge.
     """
+    slip = rigid_slip(field, creepage_x, creepage_y, spin)
+    return contact_of_slip(field, slip, friction=friction, shear_modulus=shear_modulus,
+                           poisson_ratio=poisson_ratio, start=start)
+
+
+def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, start=None):
+    """The :class:`RollingSolution` for any slip of the rigid bodies over V, ``slip`` (2, ny, nx) [1].
+
+    Other parameters and errors as for :func:`rolling_contact`.
+    """
     check_material(friction, shear_modulus, poisson_ratio)
     bound = friction * field.pressure
     influence = slip_influence(bound.shape, field.steps, float(shear_modulus), float(poisson_ratio))
     tractions = np.zeros((2, *bound.shape)) if start is None else refined(start.tractions, bound.shape)
-    slip = rigid_slip(field, creepage_x, creepage_y, spin)
     state, steps = solve_friction(influence, slip, bound, tractions)
     return RollingSolution(field, state.tractions, state.slip, state.slips, steps)
 

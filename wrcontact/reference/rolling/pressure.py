@@ -132,6 +132,11 @@ class Outline:
         """Integral of the pressure [N]."""
         return float(0.5 * np.pi * np.trapezoid(self.half_length * self.pressure, self.station))
 
+    def scaled(self, normal_force):
+        """The same outline with another normal force [N]."""
+        return Outline(self.station, self.half_length, self.pressure * (normal_force / self.normal_force),
+                       self.middle)
+
     def box(self):
         """(x low, x high, y low, y high) around the loaded part [m]."""
         loaded = np.flatnonzero(self.half_length > 0.0)
