@@ -74,6 +74,7 @@ class HalfspaceRolling(TangentialModel):
     """
 
     name = "halfspace"
-    kernel_number = NoTangential.kernel_number     # its forces are computed outside the kernel
+    kernel_number = Polach.kernel_number    # whose forces are then replaced by its own
     words = "complete theory of steady rolling on the half-space"
     python_only = True
+    needs = {"is computed once for each load": {"load": "normal"}}

@@ -62,9 +62,16 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
             creep_forces__add_creep(work, side, to, mirror);
         }
     }
+    creep_forces__write_side_wear(tables, work, index);
+    return INT64_C(0);
+}
+
+/* Shear and slip over the outline of side ``index``, where that is wanted. */
+static inline int64_t creep_forces__write_side_wear(array_double_1d tables, array_double_1d work, int64_t index)
+{
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), rolling);
+        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index);
     }
     return INT64_C(0);
 }

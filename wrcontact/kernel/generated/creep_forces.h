@@ -29,6 +29,7 @@ static inline int64_t creep_forces__set_load(array_double_1d work, int64_t patch
 static inline int64_t creep_forces__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, int64_t to, double mirror, double friction);
 static inline int64_t creep_forces__write_creep(array_double_1d work, int64_t patch, int64_t to, double mirror, double limit);
 static inline int64_t creep_forces__add_creep(array_double_1d work, int64_t side, int64_t to, double mirror);
+static inline int64_t creep_forces__write_side_wear(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t creep_forces__write_side_creep(array_double_1d tables, array_double_1d work, int64_t index, double friction);
 static inline int64_t creep_forces__write_creep_forces(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 

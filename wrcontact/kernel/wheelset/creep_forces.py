@@ -61,8 +61,15 @@ def write_side_creep(tables: Tables, work: Work, index: int, friction: float):
             solve_tangential(tables, patch)
             write_creep(patch, to, mirror, limit)
             add_creep(work.motion, work.outputs, side, to, mirror)
+    write_side_wear(tables, work, index)
+    return 0
+
+
+def write_side_wear(tables: Tables, work: Work, index: int):
+    """Shear and slip over the outline of side ``index``, where that is wanted."""
     if tables.depth == DEPTH_ALL:
-        write_wear(Outline.at(work, outline_place(tables, work, index)), tables.stations, rolling)
+        write_wear(Outline.at(work, outline_place(tables, work, index)), tables.stations,
+                   work.rolling_sides[index])
     return 0
 
 
