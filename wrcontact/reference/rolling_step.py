@@ -1,5 +1,6 @@
-"""A wheelset's steps with creep forces by the complete theory: the kernel finds contact, patches and creepages,
-and each patch then rolls on the half-space (wrcontact/reference/rolling).  A step takes some seconds."""
+"""A wheelset's steps with creep forces by the complete theory: the kernel finds contact, patches and
+creepages, and each patch then rolls on the half-space (wrcontact/reference/rolling).  A step takes some
+seconds."""
 
 import numpy as np
 
@@ -44,7 +45,8 @@ class RollingSolver:
             work = layout.Work.at(self._workspace)
             if not known and is_rolling(work.inputs):
                 self._roll(work)
-            self._outputs[:] = self._rolled = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+            self._rolled = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+            self._outputs[:] = self._rolled
         return status
 
     def step_many(self, count, inputs, outputs, statuses):

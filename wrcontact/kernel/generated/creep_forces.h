@@ -2,14 +2,15 @@
  *
  * Creep forces of a wheelset whose contact is solved and whose creepages are known.
  *
- * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then the
- * tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field side is
- * the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the wheel; on
- * the left they are the same:
+ * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then
+ * the tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field
+ * side is the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the
+ * wheel; on the left they are the same:
  *
  *     xi' = xi,   eta' = -+ eta,   phi' = -+ phi,   M = -+ M'       (upper sign: right)
  *
- * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep forces.
+ * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep
+ * forces.
  */
 
 #ifndef WRCONTACT_KERNEL_CREEP_FORCES_H
