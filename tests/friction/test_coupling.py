@@ -11,7 +11,7 @@ from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
 
-MODELS = ("polach",)
+MODELS = ("polach", "fastsim")
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.05}
 POSES = {
     "tread": {"lateral_shift": 1e-3, "yaw": 1e-3, "speed": 20.0},
@@ -170,7 +170,8 @@ def test_standstill_and_no_friction(model):
         np.testing.assert_array_equal(state.moment, plain.moment)
         for side in (state.left, state.right):
             patch = side.patches[0]
-            assert (patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number) == (0, 0, 0, 0)
+            found = patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number
+            assert found == (0.0, 0.0, 0.0, 0.0)
         assert state.driving_torque == 0.0
 
 
@@ -211,8 +212,8 @@ def test_vertical_load_includes_friction(pose, mode):
     """Each wheel's whole force has the vertical component that is prescribed, to LOAD_MET."""
     contact = system(contact_mode=mode, load="vertical", tangential_model=MODELS[-1])
     state = contact.evaluate(**POSES[pose], normal_force=80e3, load_transfer=0.2)
-    assert -state.left.force.z == pytest.approx(64e3, rel=1e-4)
-    assert -state.right.force.z == pytest.approx(96e3, rel=1e-4)
+    assert -state.left.force.z == pytest.approx(64e3, rel=1e-8)
+    assert -state.right.force.z == pytest.approx(96e3, rel=1e-8)
     assert abs(state.right.normal.force.z + 96e3) > 30.0, "friction carries nothing here"
 
 
@@ -244,7 +245,9 @@ def test_flange_lubrication():
 @pytest.mark.parametrize("model", MODELS)
 def test_slope_reduction(model):
     """k0 alone divides the slope at small creepage; with beta it falls further, and full slip stays."""
-    small = {"speed": 20.0, "wheel_rate": 20.0 / 0.46 * (1 + 2e-6), "lateral_shift": 0.0}
+    # with the largest friction nearly all sticks, in spite of the spin
+    small = {"speed": 20.0, "wheel_rate": 20.0 / 0.46 * (1 + 2e-6), "lateral_shift": 0.0,
+             "left_friction": 2.0, "right_friction": 2.0}
     full, reduced = (system(tangential_model=model, **reduction).evaluate(**small)
                      for reduction in ({}, {"slope_reduction": 0.5}))
     # longitudinal slopes as differences of two wheel rates: lateral forces of spin are reduced too

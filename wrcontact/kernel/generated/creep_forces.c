@@ -2,14 +2,15 @@
  *
  * Creep forces of a wheelset whose contact is solved and whose creepages are known.
  *
- * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then the
- * tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field side is
- * the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the wheel; on
- * the left they are the same:
+ * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then
+ * the tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field
+ * side is the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the
+ * wheel; on the left they are the same:
  *
  *     xi' = xi,   eta' = -+ eta,   phi' = -+ phi,   M = -+ M'       (upper sign: right)
  *
- * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep forces.
+ * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep
+ * forces.
  */
 
 #include "creep_forces.h"
@@ -45,7 +46,7 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
     int64_t patch;
     int64_t to;
     double limit;
-    rolling = layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index;
+    rolling = layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index;
     side = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(INT64_C(2) * index - INT64_C(1));
     number_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_SIDE_COUNT)));
@@ -62,27 +63,42 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
             creep_forces__add_creep(work, side, to, mirror);
         }
     }
+    creep_forces__write_side_wear(tables, work, index);
+    return INT64_C(0);
+}
+
+/* Shear and slip over the outline of side ``index``, where that is wanted. */
+static inline int64_t creep_forces__write_side_wear(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    {
+        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index);
+    }
     return INT64_C(0);
 }
 
 /* Load, creepages and friction of a patch, from its outputs ``to``. */
 static inline int64_t creep_forces__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, int64_t to, double mirror, double friction)
 {
+    double rolling_x;
+    double rolling_y;
+    double rolling_z;
     double speed;
     int64_t index_end;
     int64_t index;
     int64_t strip;
     double y;
     double z;
-    double rolling_x;
-    double rolling_y;
-    double rolling_z;
     double sliding;
     creep_forces__set_load(work, patch, (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_CREEPAGE_X)) = (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_CREEPAGE_Y)) = (-mirror) * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPIN)) = (-mirror) * (*cspan_at(&work, to + layout__PATCH_SPIN));
-    speed = creepage__patch_speed(work, to);
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, work, (*cspan_at(&work, to + layout__PATCH_X_TRACK)), (*cspan_at(&work, to + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)), (*cspan_at(&work, to + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)), (*cspan_at(&work, to + layout__PATCH_ROLLING_RADIUS)));
+    speed = creepage__reference_speed(work, rolling_x);
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED)) = speed;
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_BACKWARDS)) = (double)((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) + rolling_x < 0.0);
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     index_end = (int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -133,7 +149,7 @@ static inline int64_t creep_forces__write_creep(array_double_1d work, int64_t pa
     {
         (*cspan_at(&work, to + layout__PATCH_SATURATION)) = sqrt((*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y))) / limit;
     }
-    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = (-creepage__patch_speed(work, to)) * ((*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)));
+    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED))) * ((*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)));
     return INT64_C(0);
 }
 
