@@ -204,7 +204,7 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``.  The table has
-        memory only for what is wanted: 3.4 kB a row for all outputs, 8 B for one.
+        memory only for what is wanted: 4.3 kB a row for all outputs, 8 B for one.
 
         ``processes`` share the rows of the half-space, which needs much time, with the same results; the
         other models use one.  A script makes such a call below ``if __name__ == "__main__":``.

@@ -67,7 +67,8 @@ def test_units_are_si_and_shown_as_engineers_read_them(description):
                          "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {},
                          "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1}, "s/m": {"m": -1, "s": 1}}
     shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
-    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "kW": 1e-3, "MPa": 1e-6, "mm2": 1e6}
+    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "kW": 1e-3, "MPa": 1e-6,
+                     "mm2": 1e6}
 
 
 def test_start_values_lie_within_their_limits(description):
@@ -79,8 +80,8 @@ def test_start_values_lie_within_their_limits(description):
 def test_dependencies(description):
     follows = {u.variable.name: {d.name for d in u.dependencies} for u in description.outputs}
     assert set(follows) == set(OUTPUT_NAMES)
-    # declared once for all methods: in elastic contact all that is read moves everything, velocities and friction
-    # where these carry a part of a vertical load
+    # declared once for all methods: in elastic contact all that is read moves everything, velocities and
+    # friction too, where friction carries a part of a vertical load
     read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
             *(row.name for row in (*RAILS, *MOTION, *FRICTION))}
     for name, inputs in follows.items():
@@ -109,8 +110,8 @@ FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, 
 MOVING = {row.name for row in MOTION}
 RUBBING = {row.name for row in FRICTION}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
-OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number", "shear[",
-            "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
+OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
+            "shear[", "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
 #: Methods under which dependencies are tried: contact mode, and others.
 METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
            "rigid, creep forces": {"tangential_model": "polach"},

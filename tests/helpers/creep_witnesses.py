@@ -1,5 +1,5 @@
-"""Witnesses for outputs that friction gives: creep forces by Polach's formula in numpy, and vector sums; a part of
-output_witnesses.py."""
+"""Witnesses for outputs that friction gives: creep forces by Polach's formula in numpy, or friction times
+pressure where all slides, and vector sums; a part of output_witnesses.py."""
 
 from math import cos, hypot, pi, sin
 
@@ -11,13 +11,22 @@ from tests.helpers.numpy_polach import polach
 EXACT = 1e-9
 #: Between its nodes Kalker's table is a straight line here and smooth in the kernel [share of mu N].
 OF_FORCE = 0.005
+#: How much the slip and its direction change over a patch where all slides.
+OF_SLIDING = 0.01
+#: The middles of sixteen strips miss this share of the largest pressure, and the lines between them that.
+OF_LARGEST, OF_STATION = 0.05, 0.1
 YOUNG, POISSON = 210e9, 0.28
 
 
 def friction(wheel):
     """The coefficient of friction of a wheel that has creep forces, else None."""
-    rolls = wheel.inputs.get("speed") and wheel.tangential == "polach"
+    rolls = wheel.inputs.get("speed") and wheel.tangential != "none"
     return wheel.inputs[f"{wheel.side}.friction"] if rolls else None
+
+
+def slides(wheel):
+    """Whether the scene is one in which all slides; the others have Polach's formula."""
+    return wheel.tangential == "fastsim"
 
 
 def of_patch(wheel, k, *names):
@@ -32,7 +41,7 @@ def axes(wheel, k):
 
 
 def creep_vectors(wheel, k):
-    """Creep force of a patch, and its moment about the wheelset's centre, by its tangential outputs (2, 3)."""
+    """Creep force of a patch, and its moment about the wheelset's centre, by its own outputs (2, 3)."""
     x, y, moment = of_patch(wheel, k, "tangential.x", "tangential.y", "tangential.moment")
     along, outside, normal = axes(wheel, k)
     force = x * along + y * outside
@@ -46,7 +55,11 @@ def side_creep(wheel):
 
 
 def expected_force(wheel, k):
-    """(tangential.x, tangential.y) by Polach's formula, in the station frame."""
+    """(tangential.x, tangential.y): friction times load against the slip, or by Polach's formula."""
+    if slides(wheel):
+        slide, _ = patch_moves(wheel, k)
+        along = np.array([slide @ axis for axis in axes(wheel, k)[:2]])
+        return -friction(wheel) * wheel[f"patch[{k}].normal_force"] * along / np.hypot(*along)
     load, area, length, width = of_patch(wheel, k, "normal_force", "area", "length", "width")
     x, y, spin = of_patch(wheel, k, "creepage.x", "creepage.y", "creepage.spin")
     # the ellipse with the area of the patch, and its length over its width
@@ -72,16 +85,50 @@ def tangential(index):
     return witness
 
 
-def nothing(wheel, k):
-    """Polach's formula knows neither a moment nor a stick zone."""
+@zero_without_friction
+def moment(wheel, k):
+    """Polach's formula knows none; where all slides tractions are as the pressure, and the moment is about the
+    centre of load."""
+    if slides(wheel):
+        load, area = of_patch(wheel, k, "normal_force", "area")
+        yield 0.0, OF_SLIDING * friction(wheel) * load * np.sqrt(area)
+    else:
+        yield 0.0, 0.0
+
+
+def stick_share(wheel, k):
+    """Nothing sticks, or Polach's formula does not know it."""
     yield 0.0, 0.0
 
 
 @zero_without_friction
 def max_shear(wheel, k):
-    """Of tractions that are spread as the pressure of the ellipse."""
+    """Of tractions that are spread as the pressure of the ellipse, or friction times the largest pressure."""
     load, area = of_patch(wheel, k, "normal_force", "area")
-    yield 1.5 * hypot(*expected_force(wheel, k)) / area, 1.5 * OF_FORCE * friction(wheel) * load / area
+    if slides(wheel):
+        largest = friction(wheel) * wheel[f"patch[{k}].max_pressure"]
+        yield largest, OF_LARGEST * largest
+    else:
+        yield 1.5 * hypot(*expected_force(wheel, k)) / area, 1.5 * OF_FORCE * friction(wheel) * load / area
+
+
+@zero_without_friction
+def shear(wheel, j):
+    """Friction times the mean of the pressure along the patch, which is an ellipse's; Polach's formula does not
+    know it.  At the edges it follows straight lines."""
+    pressures = [wheel[f"pressure[{i}]"] for i in range(1, 32)]
+    mean = friction(wheel) * pi / 4.0 * wheel[f"pressure[{j}]"] * slides(wheel)
+    yield mean, slides(wheel) * friction(wheel) * OF_STATION * max(pressures)
+
+
+@zero_without_friction
+def slip(wheel, j):
+    """The velocity of the wheel's surface where all slides; spin and the wheel's profile change it little."""
+    if slides(wheel) and wheel[f"pressure[{j}]"] > 0.0:
+        value = np.linalg.norm(patch_moves(wheel, 1)[0])
+        yield value, OF_SLIDING * value
+    else:
+        yield 0.0, 0.0
 
 
 @zero_without_friction

@@ -40,6 +40,6 @@ def patch_creepage(index):
 
 
 def patch_moves(wheel, k):
-    """Velocity of the wheel's surface against the rail (3,) [m/s] and its rotation about the normal [rad/s]."""
+    """Velocity of the wheel's surface against the rail (3,) [m/s], and rotation about the normal [rad/s]."""
     slide, _, turning, _ = sliding(**motion(wheel, k))
     return slide, turning

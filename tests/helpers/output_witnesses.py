@@ -32,7 +32,8 @@ ROUGH = 1.5
 
 #: Parameters and inputs by the names of the FMU, and the status: a centred wheelset; one that is shifted,
 #: yawed and unevenly loaded; flange root and flange on the left, at planes of their own; three patches on the
-#: right; Hertz; a pressed wheelset that rolls with friction; and one whose left wheel carries nothing.
+#: right; Hertz; a pressed wheelset that rolls with friction; one whose wheels nearly stand, so that all slides;
+#: and one whose left wheel carries nothing.
 SCENES = {
     "centred": ({}, {}, 0),
     "yawed": ({}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
@@ -45,6 +46,10 @@ SCENES = {
                    "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
                    "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
                    "track_curvature": 2e-3, "left.friction": 0.25, "right.friction": 0.4}, 0),
+    "sliding": ({"tangential_model": "fastsim"},
+                {"lateral_shift": 1e-3, "yaw": 0.0, "speed": 20.0, "wheel_rate": 5.0, "lateral_velocity": 0.0,
+                 "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
+                 "left.friction": 0.25, "right.friction": 0.4}, 0),
     "unloaded": ({}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
@@ -404,8 +409,8 @@ PATCH = {
        for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))},
     "tangential.x": ("N", creep.tangential(0)),
     "tangential.y": ("N", creep.tangential(1)),
-    "tangential.moment": ("N.m", creep.nothing),
-    "stick_share": ("1", creep.nothing),
+    "tangential.moment": ("N.m", creep.moment),
+    "stick_share": ("1", creep.stick_share),
     "max_shear": ("Pa", creep.max_shear),
     "friction_power": ("W", creep.patch_power),
     "saturation": ("1", creep.saturation),
@@ -414,6 +419,8 @@ OUTLINE = {
     "station": ("m", station),
     "half_length": ("m", outline(0, OF_LENGTH)),
     "pressure": ("Pa", outline(1, OF_PRESSURE)),
+    "shear": ("Pa", creep.shear),
+    "slip": ("m/s", creep.slip),
 }
 WITNESSES = {
     **WHEELSET,

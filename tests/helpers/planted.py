@@ -84,9 +84,9 @@ ERRORS = [
           "to.max_pressure = totals.max_pressure * totals.area", "the pressure of a patch is written in N",
           "interface"),
     Error("creep_mirror", "force_y = mirror * cosine * to.creep_force_y",
-          "force_y = cosine * to.creep_force_y", "the left wheel's creep force points to the right", "friction"),
+          "force_y = cosine * to.creep_force_y", "the left wheel's creep force points right", "friction"),
     Error("creep_across", "patch.creepage_y = -mirror * to.creepage_y",
-          "patch.creepage_y = mirror * to.creepage_y", "the lateral slip has the other direction", "friction"),
+          "patch.creepage_y = mirror * to.creepage_y", "the lateral slip has the other sign", "friction"),
     Error("creep_power", "- mirror * to.creepage_y * to.creep_force_y",
           "+ mirror * to.creepage_y * to.creep_force_y", "a sign in the friction power", "friction"),
     Error("creep_spin", "- cosine * to.creep_moment", "+ cosine * to.creep_moment",
@@ -101,8 +101,9 @@ ERRORS = [
           "the tread has the friction of the flange", "friction"),
     Error("friction_slope", "initial = parameters.slope_reduction", "initial = 1.0",
           "wet rails do not reduce the initial slope", "friction"),
-    Error("friction_load", "support.friction_load /= share", "support.friction_load *= share",
-          "a load of which friction carries a part grows instead of falling", "friction"),
+    Error("friction_load", "work.outputs.left[index].force[2] / wanted",
+          "work.outputs.left[index].normal_part[2] / wanted",
+          "a vertical load leaves out what friction carries", "friction"),
     # lines drawn by --lines 30 --seed 1914, with one word changed by hand.  Passed over are what is no more
     # than the start of an iteration (traces.py: trace.bend), a branch for no yaw whose formula holds with yaw
     # as well (locus.py: place.yawed), and a rate that is zero there (contact_rules.py: start + place)

@@ -102,7 +102,7 @@ def test_outputs_are_computed_once_per_change(running):
 
 
 def test_values_are_read_in_any_order_and_any_number(running):
-    references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"],
+    references = [REFERENCE["right.slip[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"],
                   REFERENCE["roll"]]
     values = running.get_reals(references)
     assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0]

@@ -2,8 +2,8 @@
 :class:`~wrcontact.ContactSystem`.
 
 The numbers of track, wheelset and material are declared here, those of friction in friction.py, those of a
-method in its file (wrcontact/methods).  Keywords, defaults, ranges, the parameters of an FMU and the options of
-the command line follow from :data:`PARAMETERS`.
+method in its file (wrcontact/methods).  Keywords, defaults, ranges, the parameters of an FMU and the options
+of the command line follow from :data:`PARAMETERS`.
 """
 
 from dataclasses import dataclass, replace
