@@ -111,7 +111,8 @@ MOVING = {row.name for row in MOTION}
 RUBBING = {row.name for row in FRICTION}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
 OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
-            "shear[", "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
+            "shear[", "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y",
+            "moment.z")
 #: Methods under which dependencies are tried: contact mode, and others.
 METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
            "rigid, creep forces": {"tangential_model": "polach"},

@@ -87,8 +87,8 @@ def tangential(index):
 
 @zero_without_friction
 def moment(wheel, k):
-    """Polach's formula knows none; where all slides tractions are as the pressure, and the moment is about the
-    centre of load."""
+    """Polach's formula knows none; where all slides tractions are as the pressure, and the moment is about
+    the centre of load."""
     if slides(wheel):
         load, area = of_patch(wheel, k, "normal_force", "area")
         yield 0.0, OF_SLIDING * friction(wheel) * load * np.sqrt(area)
@@ -114,8 +114,8 @@ def max_shear(wheel, k):
 
 @zero_without_friction
 def shear(wheel, j):
-    """Friction times the mean of the pressure along the patch, which is an ellipse's; Polach's formula does not
-    know it.  At the edges it follows straight lines."""
+    """Friction times the mean of the pressure along the patch, which is an ellipse's; Polach's formula does
+    not know it.  At the edges it follows straight lines."""
     pressures = [wheel[f"pressure[{i}]"] for i in range(1, 32)]
     mean = friction(wheel) * pi / 4.0 * wheel[f"pressure[{j}]"] * slides(wheel)
     yield mean, slides(wheel) * friction(wheel) * OF_STATION * max(pressures)

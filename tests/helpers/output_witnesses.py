@@ -32,8 +32,8 @@ ROUGH = 1.5
 
 #: Parameters and inputs by the names of the FMU, and the status: a centred wheelset; one that is shifted,
 #: yawed and unevenly loaded; flange root and flange on the left, at planes of their own; three patches on the
-#: right; Hertz; a pressed wheelset that rolls with friction; one whose wheels nearly stand, so that all slides;
-#: and one whose left wheel carries nothing.
+#: right; Hertz; a pressed wheelset that rolls with friction; one whose wheels nearly stand, so that all
+#: slides; and one whose left wheel carries nothing.
 SCENES = {
     "centred": ({}, {}, 0),
     "yawed": ({}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
