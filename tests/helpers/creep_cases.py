@@ -2,7 +2,7 @@
 the models in them."""
 
 import json
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -31,7 +31,7 @@ class Case(NamedTuple):
     size: float                     # sqrt(a b) of the equivalent ellipse [m]
 
 
-@lru_cache(maxsize=None)
+@cache
 def cases(name):
     """The cases of one of SETS, as a tuple."""
     return tuple({"hertz": hertz, "ellipses": ellipses, "long_and_short": long_and_short,

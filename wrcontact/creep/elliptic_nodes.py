@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from ..kernel import layout
-from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
 from ..kernel.binding.reach_table import stored
+from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
 from ..kernel.prepare import fixed
 from .forces import roll
 from .patch import elliptic_patch

@@ -19,7 +19,7 @@
 #include "correction.h"
 
 /* Add to a patch's force and moment what is missing. */
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables)
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t rolling)
 {
     int64_t table;
     double bound;
@@ -35,11 +35,13 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
     double on_elevation;
     double on_azimuth;
     double on_radius;
+    double force_x;
+    double force_y;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING)));
-    bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_LOAD));
-    mean_axis = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH)));
-    table_cell__table_cell(&ratio, &on_ratio, (log((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH))) - log(correction__FIRST_RATIO)) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)));
-    correction__saturation(&along, &across, &turning, work, tables, ratio, on_ratio);
+    bound = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD));
+    mean_axis = sqrt((*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH)));
+    table_cell__table_cell(&ratio, &on_ratio, (log((*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH))) - log(correction__FIRST_RATIO)) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)));
+    correction__saturation(&along, &across, &turning, work, tables, rolling, ratio, on_ratio);
     sign_x = 1.0;
     if (along < 0.0)
     {
@@ -55,17 +57,19 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
     }
     correction__node_at(&at, &on_elevation, &on_azimuth, &on_radius, tables, table, along, across, turning);
     at += ratio * correction__RATIO_STRIDE;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) += sign_y * bound * correction__missing(tables, table, at + INT64_C(1), on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MOMENT)) += sign_y * bound * mean_axis * correction__missing(tables, table, at + INT64_C(2), on_ratio, on_elevation, on_azimuth, on_radius);
-    tractions__cut_to(cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X), cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)), bound);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, on_radius);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) += sign_y * bound * correction__missing(tables, table, at + INT64_C(1), on_ratio, on_elevation, on_azimuth, on_radius);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MOMENT)) += sign_y * bound * mean_axis * correction__missing(tables, table, at + INT64_C(2), on_ratio, on_elevation, on_azimuth, on_radius);
+    tractions__cut_to(&force_x, &force_y, (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)), (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)), bound);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) = force_x;
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) = force_y;
     return INT64_C(0);
 }
 
 /* s1, s2, s3 of eq. (D1), with the coefficients that the table was made with; ``cell`` and ``share`` are
  * the patch's place among the table's ratios a/b.
  */
-static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t cell, double share)
+static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t rolling, int64_t cell, double share)
 {
     double ratio;
     double area;
@@ -75,15 +79,15 @@ static inline int64_t correction__saturation(double* result_0, double* result_1,
     double scale;
     double wide;
     int64_t at;
-    ratio = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH));
-    area = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH));
+    ratio = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
+    area = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     shapes__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
-    scale = (-area) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) / ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_LOAD)));
+    scale = (-area) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) / ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD)));
     wide = sqrt(1.0 + 0.66 * exp((-2.7) * log(ratio)));
     at = INT64_C(3) * cell;
-    (*result_0) = scale * first * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X));
-    (*result_1) = scale * second * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y));
-    (*result_2) = scale * sqrt(area) * third * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_SPIN)) * wide;
+    (*result_0) = scale * first * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X));
+    (*result_1) = scale * second * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y));
+    (*result_2) = scale * sqrt(area) * third * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * wide;
     return 0;
 }
 

@@ -31,13 +31,13 @@ static const double correction__FIRST_RATIO = 0.1;
 static const double correction__PER_DOUBLING = 1.4426950408889634;
 
 static inline double correction__scale_at(array_double_1d tables, int64_t table, int64_t at, double share);
-static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t cell, double share);
+static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t rolling, int64_t cell, double share);
 static inline int64_t correction__radius_cell(int64_t* cell, double* result_1, array_double_1d tables, int64_t table, double place);
 static inline int64_t correction__node_at(int64_t* at, double* on_elevation, double* on_azimuth, double* on_radius, array_double_1d tables, int64_t table, double along, double across, double turning);
 static inline double correction__on_line(array_double_1d tables, int64_t table, int64_t at, double on_radius);
 static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_radius);
 static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double on_radius);
 static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius);
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables);
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

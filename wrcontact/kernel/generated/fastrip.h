@@ -25,11 +25,11 @@
 #include "shapes.h"
 #include "tractions.h"
 
-static inline int64_t fastrip__strip_stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables);
-static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t strip);
-static inline int64_t fastrip__find_stick(array_double_1d work, double push, double lateral, double spin);
-static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, double x, double bound);
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip);
-static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables);
+static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t rolling);
+static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t rolling, int64_t strip);
+static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin);
+static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, int64_t march, double x, double bound);
+static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling, int64_t strip);
+static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

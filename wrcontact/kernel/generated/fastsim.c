@@ -17,7 +17,7 @@
 #include "fastsim.h"
 
 /* Force, moment, stick share and largest traction of a patch. */
-static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables)
+static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t rolling)
 {
     double along;
     double across;
@@ -29,29 +29,29 @@ static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_
     double rate;
     double push;
     double area;
-    fastsim__stiffnesses(&along, &across, &turning, work, tables);
+    fastsim__stiffnesses(&along, &across, &turning, work, tables, rolling);
     stuck = 0.0;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_PATCH_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        strip = layout__WORK_ROLLING + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        rate = tractions__bound_rate(work, strip);
+        strip = rolling + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        rate = tractions__bound_rate(work, rolling, strip);
         if (rate > 0.0)
         {
-            push = fastsim__strip_push(work, strip, along, turning);
-            stuck += fastsim__march_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), strip, rate, push, across, turning);
+            push = fastsim__strip_push(work, rolling, strip, along, turning);
+            stuck += fastsim__march_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), rolling, strip, rate, push, across, turning);
         }
     }
-    area = tractions__patch_area(work);
+    area = tractions__patch_area(work, rolling);
     if (area > 0.0)
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_STICK_SHARE)) = stuck / area;
+        (*cspan_at(&work, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = stuck / area;
     }
     return INT64_C(0);
 }
 
 /* 1/L1, 1/L2, 1/L3 [Pa/m]; eq. (F2). */
-static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables)
+static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t rolling)
 {
     double a;
     double ratio;
@@ -59,8 +59,8 @@ static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, d
     double second;
     double third;
     double modulus;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH));
-    ratio = a / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH));
+    a = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH));
+    ratio = a / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     shapes__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
     modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
     (*result_0) = 3.0 * first * modulus / (8.0 * a);
@@ -70,19 +70,19 @@ static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, d
 }
 
 /* dp_x/dx of a strip [Pa/m]; eq. (F1). */
-static inline double fastsim__strip_push(array_double_1d work, int64_t strip, double along, double turning)
+static inline double fastsim__strip_push(array_double_1d work, int64_t rolling, int64_t strip, double along, double turning)
 {
     double push;
     push = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * along;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_PUBLISHED)) == 1.0)
+    if ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_PUBLISHED)) == 1.0)
     {
-        push = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) * along + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X))) * turning;
+        push = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) * along + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X))) * turning;
     }
     return push;
 }
 
 /* Add a strip's force from its tractions; the area that sticks [m^2]. */
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double rate, double push, double across, double turning)
+static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling, int64_t strip, double rate, double push, double across, double turning)
 {
     double a;
     double lateral;
@@ -105,8 +105,8 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     double square;
     double result;
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    lateral = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-    turn = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_SPIN)) * turning;
+    lateral = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
+    turn = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * turning;
     before = a;
     p_x = 0.0;
     p_y = 0.0;
@@ -115,7 +115,7 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     moment = 0.0;
     stuck = 0.0;
     total = 0.0;
-    largest = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MAX_SHEAR)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MAX_SHEAR));
+    largest = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR));
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
@@ -139,9 +139,9 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
         moment += weight * x * p_y;
         before = x;
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MAX_SHEAR)) = sqrt(largest);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = sqrt(largest);
     weight = tractions__point_weight(work, strip);
-    tractions__add_strip(work, strip, weight * force_x, weight * force_y, weight * moment);
+    tractions__add_strip(work, rolling, strip, weight * force_x, weight * force_y, weight * moment);
     result = 2.0 * a * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * stuck / total;
     return result;
 }

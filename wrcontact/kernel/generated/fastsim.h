@@ -22,9 +22,9 @@
 #include "shapes.h"
 #include "tractions.h"
 
-static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables);
-static inline double fastsim__strip_push(array_double_1d work, int64_t strip, double along, double turning);
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double rate, double push, double across, double turning);
-static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables);
+static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t rolling);
+static inline double fastsim__strip_push(array_double_1d work, int64_t rolling, int64_t strip, double along, double turning);
+static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling, int64_t strip, double rate, double push, double across, double turning);
+static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

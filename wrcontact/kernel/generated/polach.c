@@ -24,7 +24,7 @@
 #include "polach.h"
 
 /* Force and largest traction of a patch. */
-static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables)
+static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t rolling)
 {
     double a;
     double slip;
@@ -34,48 +34,48 @@ static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d
     double second;
     double third;
     double push;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH));
-    slip = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y)));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_SPIN)) * a;
-    if (fabs(across) < fabs((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y))))
+    a = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH));
+    slip = sqrt((*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)));
+    across = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * a;
+    if (fabs(across) < fabs((*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y))))
     {
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y));
+        across = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y));
     }
-    whole = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) + across * across);
+    whole = sqrt((*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) + across * across);
     if (whole > polach__SMALLEST)
     {
-        shapes__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), a / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH)));
+        shapes__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), a / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH)));
         if (slip > polach__SMALLEST)
         {
-            push = polach__creep_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), polach__mean_coefficient(work, first, second, slip), whole) / whole;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) = (-push) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) = (-push) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y));
+            push = polach__creep_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), rolling, polach__mean_coefficient(work, rolling, first, second, slip), whole) / whole;
+            (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) = (-push) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X));
+            (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) = (-push) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y));
         }
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) += polach__spin_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), third, whole);
-        polach__cut_force(work);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MAX_SHEAR)) = polach__largest_shear(work);
+        (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) += polach__spin_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), rolling, third, whole);
+        polach__cut_force(work, rolling);
+        (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = polach__largest_shear(work, rolling);
     }
     return INT64_C(0);
 }
 
 /* Kalker's coefficient in the direction of the slip. */
-static inline double polach__mean_coefficient(array_double_1d work, double first, double second, double slip)
+static inline double polach__mean_coefficient(array_double_1d work, int64_t rolling, double first, double second, double slip)
 {
     double along;
     double across;
-    along = first * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_X)) / slip);
-    across = second * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_CREEPAGE_Y)) / slip);
+    along = first * ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_X)) / slip);
+    across = second * ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) / slip);
     return sqrt(along * along + across * across);
 }
 
 /* Magnitude of the force [N] of a slip ``whole``; eqs. (P1), (P2). */
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, double coefficient, double whole)
+static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t rolling, double coefficient, double whole)
 {
     double bound;
     double e;
     double share;
-    bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_LOAD));
-    e = 0.25 * M_PI * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH)) * shear_modulus * coefficient * whole / bound;
+    bound = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD));
+    e = 0.25 * M_PI * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH)) * shear_modulus * coefficient * whole / bound;
     share = atan(e);
     if (e < 1.0)
     {
@@ -89,7 +89,7 @@ static inline double polach__creep_force(array_double_1d work, double shear_modu
 }
 
 /* Lateral force [N] of spin; eqs. (P3) to (P5). */
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, double coefficient, double whole)
+static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t rolling, double coefficient, double whole)
 {
     double a;
     double b;
@@ -97,12 +97,12 @@ static inline double polach__spin_force(array_double_1d work, double shear_modul
     double wide;
     double e;
     double result;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH));
-    b = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH));
-    bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_LOAD));
+    a = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH));
+    b = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
+    bound = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD));
     wide = 1.0 + 6.3 * (1.0 - exp((-a) / b));
     e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide);
-    result = 9.0 / 16.0 * a * bound * wide * polach__spin_share(e) * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_SPIN)) / whole);
+    result = 9.0 / 16.0 * a * bound * wide * polach__spin_share(e) * ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) / whole);
     return result;
 }
 
@@ -118,26 +118,26 @@ static inline double polach__spin_share(double e)
 }
 
 /* Let the force not exceed that of full slip. */
-static inline int64_t polach__cut_force(array_double_1d work)
+static inline int64_t polach__cut_force(array_double_1d work, int64_t rolling)
 {
     double bound;
     double force;
-    bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_LOAD));
-    force = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)));
+    bound = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FRICTION)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD));
+    force = sqrt((*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)));
     if (force > bound)
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) *= bound / force;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) *= bound / force;
+        (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) *= bound / force;
+        (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) *= bound / force;
     }
     return INT64_C(0);
 }
 
 /* The largest traction [Pa] where tractions are spread like the pressure of the ellipse. */
-static inline double polach__largest_shear(array_double_1d work)
+static inline double polach__largest_shear(array_double_1d work, int64_t rolling)
 {
     double force;
     double result;
-    force = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_FORCE_Y)));
-    result = 1.5 * force / (M_PI * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH)));
+    force = sqrt((*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_FORCE_Y)));
+    result = 1.5 * force / (M_PI * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH)));
     return result;
 }

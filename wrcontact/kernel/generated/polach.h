@@ -30,12 +30,12 @@
 
 static const double polach__SMALLEST = 1e-150;
 
-static inline double polach__mean_coefficient(array_double_1d work, double first, double second, double slip);
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, double coefficient, double whole);
+static inline double polach__mean_coefficient(array_double_1d work, int64_t rolling, double first, double second, double slip);
+static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t rolling, double coefficient, double whole);
 static inline double polach__spin_share(double e);
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, double coefficient, double whole);
-static inline int64_t polach__cut_force(array_double_1d work);
-static inline double polach__largest_shear(array_double_1d work);
-static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables);
+static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t rolling, double coefficient, double whole);
+static inline int64_t polach__cut_force(array_double_1d work, int64_t rolling);
+static inline double polach__largest_shear(array_double_1d work, int64_t rolling);
+static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

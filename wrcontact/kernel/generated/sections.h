@@ -24,13 +24,13 @@ static const double sections__COSINE = 0.9807852804032304;
 static const double sections__SHORTEST = 0.05;
 static const double sections__LONGEST = 40.0;
 
-static inline int64_t sections__describe_ellipse(array_double_1d work, int64_t totals);
-static inline int64_t sections__lay_strips(array_double_1d work, double start, double stop);
-static inline int64_t sections__cut_ellipse(array_double_1d work, int64_t totals);
-static inline int64_t sections__add_piece(array_double_1d work, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
-static inline int64_t sections__cut_strips(array_double_1d work, int64_t patch);
-static inline int64_t sections__finish_strips(array_double_1d work, double centroid, double slant);
-static inline int64_t sections__plane_slips(array_double_1d work);
-static inline int64_t sections__cut_patch(array_double_1d work, int64_t index);
+static inline int64_t sections__describe_ellipse(array_double_1d work, int64_t totals, int64_t rolling);
+static inline int64_t sections__lay_strips(array_double_1d work, int64_t rolling, double start, double stop);
+static inline int64_t sections__cut_ellipse(array_double_1d work, int64_t totals, int64_t rolling);
+static inline int64_t sections__add_piece(array_double_1d work, int64_t rolling, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
+static inline int64_t sections__cut_strips(array_double_1d work, int64_t patch, int64_t rolling);
+static inline int64_t sections__finish_strips(array_double_1d work, int64_t rolling, double centroid, double slant);
+static inline int64_t sections__plane_slips(array_double_1d work, int64_t rolling);
+static inline int64_t sections__cut_patch(array_double_1d work, int64_t index, int64_t rolling);
 
 #endif

@@ -31,7 +31,7 @@
 /* Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
  * ``ratio`` the patch's a/b.
  */
-static inline int64_t stick_zone__find_stick_zone(array_double_1d work, double width, double ratio)
+static inline int64_t stick_zone__find_stick_zone(array_double_1d work, int64_t march, double width, double ratio)
 {
     double a;
     double inverse;
@@ -43,12 +43,12 @@ static inline int64_t stick_zone__find_stick_zone(array_double_1d work, double w
     double first_weight;
     double share;
     double weight;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    inverse = 1.0 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_RATE));
-    u = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_SLIP)) * inverse;
-    v = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_LATERAL)) * inverse;
-    k = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_SPIN)) * inverse;
-    spread = stick_zone__spread_square(work, width * inverse, k, ratio);
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    inverse = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    u = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * inverse;
+    v = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * inverse;
+    k = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * inverse;
+    spread = stick_zone__spread_square(work, march, width * inverse, k, ratio);
     stick_zone__slip_depth(&depth, &first_weight, u * u + spread, v, k, a);
     share = stick_zone__later_share(depth / a, ratio);
     u *= share;
@@ -59,30 +59,30 @@ static inline int64_t stick_zone__find_stick_zone(array_double_1d work, double w
     {
         weight = first_weight;
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if ((weight > 0.0) && (depth < a))
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_X)) = u / (depth + stick_zone__NOTHING);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + stick_zone__NOTHING) + k;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_WEIGHT)) = weight * stick_zone__smooth_step((1.0 - depth / a) / stick_zone__FADE) * stick_zone__edge_weight(work);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = u / (depth + stick_zone__NOTHING);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + stick_zone__NOTHING) + k;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight * stick_zone__smooth_step((1.0 - depth / a) / stick_zone__FADE) * stick_zone__edge_weight(work, march);
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
     return INT64_C(0);
 }
 
 /* s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m. */
-static inline double stick_zone__spread_square(array_double_1d work, double scale, double k, double ratio)
+static inline double stick_zone__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio)
 {
     double over_width;
     double twist;
     double long_0001;
     double floor;
-    over_width = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_SPIN)) * scale;
+    over_width = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * scale;
     twist = fabs(k);
     if (twist > stick_zone__FLOOR_TWIST)
     {
@@ -93,7 +93,7 @@ static inline double stick_zone__spread_square(array_double_1d work, double scal
     {
         long_0001 = 1.0;
     }
-    floor = stick_zone__FLOOR * long_0001 * twist * twist * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = stick_zone__FLOOR * long_0001 * twist * twist * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return over_width * over_width / 6.0 + floor * floor;
 }
 
@@ -151,18 +151,18 @@ static inline double stick_zone__later_share(double depth, double ratio)
 }
 
 /* The second factor of eq. (Z5). */
-static inline double stick_zone__edge_weight(array_double_1d work)
+static inline double stick_zone__edge_weight(array_double_1d work, int64_t march)
 {
     double t;
     double along;
     double across;
     double weight;
     weight = 1.0;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
     {
-        t = sqrt(1.0 - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)));
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_X)) * (1.0 - t);
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (1.0 - t) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_MARCH + layout__ROLLING_MARCH_TWIST)) * t;
+        t = sqrt(1.0 - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)));
+        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (1.0 - t);
+        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (1.0 - t) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
         weight = 1.0 - stick_zone__smooth_step(sqrt(along * along + across * across) - 1.0);
     }
     return weight;

@@ -39,11 +39,11 @@ static const double stick_zone__FLOOR_RATIO = 6.0;
 static const double stick_zone__FLOOR_TWIST = 1.5;
 static const double stick_zone__NOTHING = 1e-300;
 
-static inline double stick_zone__spread_square(array_double_1d work, double scale, double k, double ratio);
+static inline double stick_zone__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio);
 static inline double stick_zone__smooth_step(double z);
 static inline int64_t stick_zone__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
 static inline double stick_zone__later_share(double depth, double ratio);
-static inline double stick_zone__edge_weight(array_double_1d work);
-static inline int64_t stick_zone__find_stick_zone(array_double_1d work, double width, double ratio);
+static inline double stick_zone__edge_weight(array_double_1d work, int64_t march);
+static inline int64_t stick_zone__find_stick_zone(array_double_1d work, int64_t march, double width, double ratio);
 
 #endif

@@ -23,8 +23,9 @@
 #include "stiffness.h"
 
 /* K1, K2, K3 of the blocks of a patch, eqs. (K1) to (K3). */
-static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables)
+static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t rolling)
 {
+    int64_t blocks;
     double ratio;
     double place;
     double half;
@@ -33,12 +34,13 @@ static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_do
     double turning;
     int64_t i;
     int64_t block;
-    stiffness__join_strips(work);
-    stiffness__fill_equations(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_X);
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_Y);
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_SPIN);
-    ratio = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_WIDTH));
+    blocks = rolling + layout__ROLLING_PATCH_BLOCKS;
+    stiffness__join_strips(work, rolling);
+    stiffness__fill_equations(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), rolling);
+    stiffness__solve_blocks(work, rolling + layout__ROLLING_PATCH_EQUATIONS_X);
+    stiffness__solve_blocks(work, rolling + layout__ROLLING_PATCH_EQUATIONS_Y);
+    stiffness__solve_blocks(work, rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN);
+    ratio = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     place = shapes__shape_place(ratio);
     half = 0.5 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
     along = shapes__shape_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(3), place) * half / (1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
@@ -46,17 +48,17 @@ static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_do
     turning = shapes__shape_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(5), place) * half;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = turning * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
     }
-    stiffness__spread_turning(work, stiffness__mean_share(ratio));
+    stiffness__spread_turning(work, blocks, stiffness__mean_share(ratio));
     return INT64_C(0);
 }
 
 /* The blocks from pairs of strips: edges, and the mean of a^2. */
-static inline int64_t stiffness__join_strips(array_double_1d work)
+static inline int64_t stiffness__join_strips(array_double_1d work, int64_t rolling)
 {
     int64_t i;
     int64_t block;
@@ -66,20 +68,20 @@ static inline int64_t stiffness__join_strips(array_double_1d work)
     double least;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        low = layout__WORK_ROLLING + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i);
-        high = layout__WORK_ROLLING + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i + INT64_C(1));
+        block = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        low = rolling + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i);
+        high = rolling + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i + INT64_C(1));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) = (*cspan_at(&work, low + layout__ROLLING_STRIP_START));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) = (*cspan_at(&work, high + layout__ROLLING_STRIP_STOP));
         square = ((*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH))) / ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
-        least = stiffness__SHORT * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PATCH_HALF_LENGTH));
+        least = stiffness__SHORT * (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = sqrt(square + least * least);
     }
     return INT64_C(0);
 }
 
 /* Phi of eq. (K2), and the right-hand sides of unit creepages. */
-static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table)
+static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling)
 {
     int64_t i;
     int64_t block;
@@ -99,15 +101,15 @@ static inline int64_t stiffness__fill_equations(array_double_1d tables, array_do
     double high_spin;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         middle = 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)));
         own = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        along = layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
+        along = rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
+        across = rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
+        turning = rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
         for (j = INT64_C(0); j < layout__BLOCK_COUNT; j += INT64_C(1))
         {
-            other = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
+            other = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
             scale = 1.0 / sqrt(0.5 * (own + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH))));
             stiffness__reaches(&low_x, &low_y, &low_spin, tables, table, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle) * scale);
             stiffness__reaches(&high_x, &high_y, &high_spin, tables, table, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle) * scale);
@@ -222,7 +224,7 @@ static inline double stiffness__mean_share(double ratio)
 }
 
 /* Let spin's stiffness be its mean to this share, and keep all stiffnesses above zero. */
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share)
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share)
 {
     double total;
     double mean;
@@ -237,7 +239,7 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
     across = 0.0;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         weight = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
         total += weight;
         mean += (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * weight;
@@ -246,7 +248,7 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
     }
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) += share * (mean / total - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), stiffness__SOFT * mean / total);
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), stiffness__SOFT * along / total);
@@ -266,14 +268,14 @@ static inline double stiffness__not_below(double value, double least)
 }
 
 /* K1, K2, K3 of strip ``index`` with its middle at ``station`` [m], between the middles of two blocks. */
-static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t index, double station)
+static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t blocks, int64_t index, double station)
 {
     int64_t own;
     int64_t towards;
     int64_t other;
     double middle;
     double share;
-    own = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * (py_floor_div_int64_t(index, INT64_C(2)));
+    own = blocks + layout__ROLLING_BLOCK_SIZE * (py_floor_div_int64_t(index, INT64_C(2)));
     towards = py_floor_div_int64_t(index, INT64_C(2)) - INT64_C(1);
     if (pyc_modulo(index, INT64_C(2)) == INT64_C(1))
     {
@@ -284,7 +286,7 @@ static inline int64_t stiffness__stiffnesses_at(double* along, double* across, d
     (*turning) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_TURNING));
     if ((towards >= INT64_C(0)) && (towards < layout__BLOCK_COUNT))
     {
-        other = layout__WORK_ROLLING + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
+        other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
         middle = 0.5 * ((*cspan_at(&work, own + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, own + layout__ROLLING_BLOCK_STOP)));
         share = (station - middle) / (0.5 * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP))) - middle);
         (*along) += share * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_ALONG)) - (*along));

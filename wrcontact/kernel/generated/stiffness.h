@@ -33,15 +33,15 @@ static const double stiffness__SOFT = 0.02;
 static const double stiffness__OWN_UNTIL = 0.4054651081081644;
 static const double stiffness__MEAN_FROM = 1.0986122886681098;
 
-static inline int64_t stiffness__join_strips(array_double_1d work);
+static inline int64_t stiffness__join_strips(array_double_1d work, int64_t rolling);
 static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u);
 static inline int64_t stiffness__reaches(double* along, double* across, double* turning, array_double_1d tables, int64_t table, double distance);
-static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table);
+static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling);
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations);
 static inline double stiffness__mean_share(double ratio);
 static inline double stiffness__not_below(double value, double least);
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share);
-static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables);
-static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t index, double station);
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share);
+static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t rolling);
+static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t blocks, int64_t index, double station);
 
 #endif

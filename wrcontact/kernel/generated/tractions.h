@@ -16,10 +16,10 @@
 static const double tractions__WEIGHT = 0.18479956785822313;
 static const double tractions__SLIGHT = 1e-12;
 
-static inline double tractions__bound_rate(array_double_1d work, int64_t strip);
+static inline double tractions__bound_rate(array_double_1d work, int64_t rolling, int64_t strip);
 static inline int64_t tractions__cut_to(double* result_0, double* result_1, double along, double across, double bound);
-static inline int64_t tractions__add_strip(array_double_1d work, int64_t strip, double along, double across, double moment);
-static inline double tractions__patch_area(array_double_1d work);
+static inline int64_t tractions__add_strip(array_double_1d work, int64_t rolling, int64_t strip, double along, double across, double moment);
+static inline double tractions__patch_area(array_double_1d work, int64_t rolling);
 static inline double tractions__point_weight(array_double_1d work, int64_t strip);
 
 #endif

@@ -6,6 +6,7 @@ velocity of the wheel against the rail over the rolling speed.
 
 from typing import Final
 
+from .interface import PATCH_LIMIT
 from .record import Float, record, run
 
 ROLLING_STRIP_LIMIT: Final[int] = 16
@@ -65,8 +66,12 @@ class RollingStrip:
     half_length: float              # [m]
     line_load: float                # load per width [N/m]
     slip: float                     # its longitudinal creepage [-]
-    force_x: float                  # what is found: force on the wheel per width [N/m]
+    y_track: float                  # track coordinates of its middle [m]
+    z_track: float
+    rolling_radius: float           # there [m]
+    force_x: float                  # what is found: force on the wheel per width [N/m],
     force_y: float
+    moment: float                   # and moment of the lateral one about the patch's point, per width [N]
 
 
 BLOCK_COUNT: Final[int] = 8          # pairs of strips, for which stiffnesses are found
@@ -133,6 +138,7 @@ class RollingPatch:
     half_length: float              # semi-axes of the ellipse with its area, length over width [m]
     half_width: float
     friction: float                 # coefficient of friction [-]
+    speed: float                    # the rolling speed [m/s]
     creepage_x: float               # [-]
     creepage_y: float
     spin: float                     # [1/m]
@@ -149,3 +155,11 @@ class RollingPatch:
     moment: float                   # and moment about the normal through the point [N m]
     stick_share: float              # share of the area that sticks [-]
     max_shear: float                # largest traction [Pa]
+
+
+@record
+class RollingSide:
+    """The patches of a wheel that are reported, by falling load."""
+
+    count: int
+    patches: RollingPatch * PATCH_LIMIT

@@ -23,12 +23,12 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
 
 void wrcontact_cut_patch(array_double_1d workspace, int64_t index)
 {
-    sections__cut_patch(workspace, index);
+    sections__cut_patch(workspace, index, layout__WORK_ROLLING);
 }
 
 void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace)
 {
-    tangential_contact__solve_tangential(workspace, tables);
+    tangential_contact__solve_tangential(workspace, tables, layout__WORK_ROLLING);
 }
 
 int64_t wrcontact_abi(void)

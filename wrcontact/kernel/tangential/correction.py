@@ -62,7 +62,9 @@ def correct_force(tables: Tables, rolling: RollingPatch):
     rolling.force_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
     rolling.moment += (sign_y * bound * mean_axis
                        * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
-    rolling.force_x, rolling.force_y = cut_to(rolling.force_x, rolling.force_y, bound)
+    force_x, force_y = cut_to(rolling.force_x, rolling.force_y, bound)
+    rolling.force_x = force_x
+    rolling.force_y = force_y
     return 0
 
 

@@ -72,7 +72,10 @@ def begin_march(rolling: RollingPatch, strip: RollingStrip, rate: float, index: 
     march.slip = strip.slip
     march.lateral = rolling.creepage_y + rolling.spin * strip.x
     march.spin = rolling.spin
-    march.along, march.across, march.turning = stiffnesses_at(rolling.blocks, index, strip.station)
+    along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
+    march.along = along
+    march.across = across
+    march.turning = turning
     return 0
 
 

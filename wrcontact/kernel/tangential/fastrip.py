@@ -26,7 +26,7 @@ def solve_fastrip(tables: Tables, rolling: RollingPatch):
     """Force, moment, stick share and largest traction of a patch."""
     march = rolling.march
     along, across, turning = stiffnesses(tables, rolling)
-    march.along, march.across, march.turning = strip_stiffnesses(tables, rolling)
+    set_stiffnesses(tables, rolling)
     march.largest = 0.0
     stuck = 0.0
     for i in range(rolling.count):
@@ -47,13 +47,16 @@ def solve_fastrip(tables: Tables, rolling: RollingPatch):
     return 0
 
 
-def strip_stiffnesses(tables: Tables, rolling: RollingPatch):
-    """K1, K2, K3 [Pa]; eq. (A1)."""
+def set_stiffnesses(tables: Tables, rolling: RollingPatch):
+    """K1, K2, K3 of all strips; eq. (A1)."""
+    march = rolling.march
     ratio = rolling.half_length / rolling.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
     modulus = tables.shear_modulus
-    return (2.0 * first * modulus / (pi * pi), 2.0 * second * modulus / (pi * pi),
-            1.5 * third * modulus / (pi * sqrt(ratio)))
+    march.along = 2.0 * first * modulus / (pi * pi)
+    march.across = 2.0 * second * modulus / (pi * pi)
+    march.turning = 1.5 * third * modulus / (pi * sqrt(ratio))
+    return 0
 
 
 def longitudinal(tables: Tables, rolling: RollingPatch, strip: RollingStrip):

@@ -100,6 +100,22 @@ def stepped(march: RollingMarch, index: int, p_x: float, p_y: float, x: float, s
     return cut_to(p_x - step * march.push_x[index], p_y - step * across, bound)
 
 
+def step_first(march: RollingMarch, x: float, step: float, bound: float):
+    """Let the first march come to ``x``, a ``step`` further."""
+    p_x, p_y = stepped(march, 0, march.first_x, march.first_y, x, step, bound)
+    march.first_x = p_x
+    march.first_y = p_y
+    return 0
+
+
+def step_second(march: RollingMarch, from_x: float, from_y: float, x: float, step: float, bound: float):
+    """Let the second march come to ``x``, a ``step`` further, from this traction."""
+    p_x, p_y = stepped(march, 1, from_x, from_y, x, step, bound)
+    march.second_x = p_x
+    march.second_y = p_y
+    return 0
+
+
 def slip_traction(march: RollingMarch, bound: float):
     """The traction of eq. (M5)."""
     along = march.first_x + march.share * (march.second_x - march.first_x)
@@ -136,7 +152,7 @@ def march_stick(table: RollingTable, march: RollingMarch):
         x = a * table.cosines[q]
         step = march.x - x
         bound = march.rate * a * table.sines[q]
-        march.first_x, march.first_y = stepped(march, 0, march.first_x, march.first_y, x, step, bound)
+        step_first(march, x, step, bound)
         p_x = march.stick_x * bound
         p_y = march.stick_y * bound
         if march.twist * march.twist > 1.0:
@@ -144,8 +160,7 @@ def march_stick(table: RollingTable, march: RollingMarch):
             p_x += over_x
             p_y += over_y
         if weight < 1.0:
-            march.second_x, march.second_y = stepped(march, 1, march.second_x, march.second_y, x, step,
-                                                     bound)
+            step_second(march, march.second_x, march.second_y, x, step, bound)
             slip_x, slip_y = slip_traction(march, bound)
             note_largest(march, (1.0 - weight) * slip_x, (1.0 - weight) * slip_y)
             p_x = slip_x + weight * (p_x - slip_x)
@@ -178,7 +193,7 @@ def cross_edge(table: RollingTable, march: RollingMarch, q: int):
     step = march.x - x
     bound = march.rate * a * table.sines[q]
     weight = march.weight
-    march.first_x, march.first_y = stepped(march, 0, march.first_x, march.first_y, x, step, bound)
+    step_first(march, x, step, bound)
     edge_bound = march.rate * sqrt_of(a * a - march.edge * march.edge)
     start_x = weight * march.stick_x * edge_bound
     start_y = weight * march.stick_y * edge_bound
@@ -187,7 +202,7 @@ def cross_edge(table: RollingTable, march: RollingMarch, q: int):
     if weight < 1.0:
         second_x = march.second_x
         second_y = march.second_y
-        march.second_x, march.second_y = stepped(march, 1, second_x, second_y, x, step, bound)
+        step_second(march, second_x, second_y, x, step, bound)
         slip_x, slip_y = slip_traction(march, bound)
         near_x += (1.0 - weight) * slip_x
         near_y += (1.0 - weight) * slip_y
@@ -195,7 +210,7 @@ def cross_edge(table: RollingTable, march: RollingMarch, q: int):
         start_x += (1.0 - weight) * to_x
         start_y += (1.0 - weight) * to_y
     note_largest(march, start_x, start_y)
-    march.second_x, march.second_y = stepped(march, 1, start_x, start_y, x, march.edge - x, bound)
+    step_second(march, start_x, start_y, x, march.edge - x, bound)
     p_x, p_y = slip_traction(march, bound)
     share = (march.edge - x) / step
     p_x = near_x + share * (p_x - near_x)
@@ -220,8 +235,8 @@ def march_slip(table: RollingTable, march: RollingMarch, first: int):
         x = a * table.cosines[q]
         step = march.x - x
         bound = march.rate * a * table.sines[q]
-        march.first_x, march.first_y = stepped(march, 0, march.first_x, march.first_y, x, step, bound)
-        march.second_x, march.second_y = stepped(march, 1, march.second_x, march.second_y, x, step, bound)
+        step_first(march, x, step, bound)
+        step_second(march, march.second_x, march.second_y, x, step, bound)
         p_x, p_y = slip_traction(march, bound)
         note_largest(march, p_x, p_y)
         add_point(march, x, table.sines[q], p_x, p_y)

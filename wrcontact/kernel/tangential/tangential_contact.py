@@ -48,6 +48,7 @@ def clear_found(rolling: RollingPatch):
         strip = rolling.strips[i]
         strip.force_x = 0.0
         strip.force_y = 0.0
+        strip.moment = 0.0
     return 0
 
 
@@ -62,4 +63,5 @@ def mirror_rolling(rolling: RollingPatch):
         strip.x = -strip.x
         strip.slip = -strip.slip
         strip.force_x = -strip.force_x
+        strip.moment = -strip.moment
     return 0

@@ -40,6 +40,7 @@ def add_strip(rolling: RollingPatch, strip: RollingStrip, along: float, across: 
     the strip's own middle, per width [N]."""
     strip.force_x = along
     strip.force_y = across
+    strip.moment = moment + strip.x * across
     rolling.force_x += along * strip.width
     rolling.force_y += across * strip.width
     rolling.moment += (moment + strip.x * across - strip.y * along) * strip.width
