@@ -174,8 +174,8 @@ static inline int64_t slip_march__note_largest(array_double_1d work, int64_t mar
     return INT64_C(0);
 }
 
-/* Add the points of a stick zone that counts as a whole and stays within the bound, without the second root
- * of eq. (Z1); the first point behind.
+/* Add the points of a stick zone that counts as a whole and stays within the bound, without the second
+ * root of eq. (Z1); the first point behind.
  */
 static inline int64_t slip_march__march_held(array_double_1d tables, array_double_1d work, int64_t table, int64_t march)
 {
@@ -362,8 +362,8 @@ static inline double slip_march__sqrt_of(double value)
     return root;
 }
 
-/* Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the model
- * takes, so that nothing is kept in the record meanwhile.
+/* Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the
+ * model takes, so that nothing is kept in the record meanwhile.
  */
 static inline int64_t slip_march__march_slip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t first)
 {
