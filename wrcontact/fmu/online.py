@@ -1,10 +1,11 @@
 """Which files of the package a simulation needs: what the session imports, and the kernel with its compiled
-libraries."""
+libraries and the numbers that its tables are made from."""
 
 import ast
 import sys
 from pathlib import Path
 
+from ..kernel.binding import reach_table, rolling_table
 from ..kernel.binding.library import HERE, LibraryUnusable, open_library
 from ..kernel.binding.platforms import LIBRARY_NAME, library_name
 from ..progress import tracked
@@ -15,11 +16,13 @@ ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
 OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference", "progress",
                      "convert", "pages"})
+#: What the tables of the tangential models are made from.
+NUMBERS = (reach_table.DATA, rolling_table.CORRECTION)
 
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py"))
+    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py")) | set(NUMBERS)
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 
