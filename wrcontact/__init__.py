@@ -2,6 +2,7 @@
 
 from importlib import import_module
 
+from .creep import CreepForces, CreepPatch, creep_forces, elliptic_patch, outlined_patch, patch_of
 from .interface.parameters import Material, Track, Wheelset
 from .methods import (
     Adaptive,
@@ -12,6 +13,8 @@ from .methods import (
     Elastic,
     Equidistant,
     EquidistantChord,
+    Fastrip,
+    Fastsim,
     Halfspace,
     Hertz,
     NormalLoad,
@@ -35,7 +38,8 @@ __all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status"
            "UnusualValueWarning", "WheelsetState", "check", "explain", "Material", "Track", "Wheelset",
            "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
            "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
-           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]
+           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth", "Fastsim", "Fastrip",
+           "CreepForces", "CreepPatch", "creep_forces", "elliptic_patch", "outlined_patch", "patch_of"]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "plots", "reference", "study"})

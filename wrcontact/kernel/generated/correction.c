@@ -99,8 +99,8 @@ static inline double correction__scale_at(array_double_1d tables, int64_t table,
     return result;
 }
 
-/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies; ``along``
- * and ``turning`` are not negative.
+/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
+ * ``along`` and ``turning`` are not negative.
  */
 static inline int64_t correction__node_at(int64_t* at, double* on_elevation, double* on_azimuth, double* on_radius, array_double_1d tables, int64_t table, double along, double across, double turning)
 {

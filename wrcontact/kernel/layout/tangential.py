@@ -89,7 +89,8 @@ class RollingBlock:
     turning: float
 
 
-#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the solution.
+#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the
+#: solution.
 BlockRow = run(BLOCK_COUNT + 1)
 BlockMatrix = BlockRow * BLOCK_COUNT
 RollingBlocks = RollingBlock * BLOCK_COUNT

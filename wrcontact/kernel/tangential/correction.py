@@ -88,8 +88,8 @@ def scale_at(table: RollingTable, at: int, share: float):
 
 
 def node_at(table: RollingTable, along: float, across: float, turning: float):
-    """Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies; ``along``
-    and ``turning`` are not negative."""
+    """Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
+    ``along`` and ``turning`` are not negative."""
     flat = sqrt(across * across + turning * turning)
     radius = sqrt(flat * flat + along * along)
     elevation, on_elevation = table_cell(atan2(along, flat) * (2.0 / pi) * float(CORRECTION_ELEVATIONS - 1),
