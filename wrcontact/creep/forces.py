@@ -96,6 +96,7 @@ def write_patch(patch, solved):
     totals.width = totals.stop - totals.start
     totals.load = patch.normal_force
     totals.max_half_length = patch.half_length.max()
+    totals.centroid = 0.0
     if patch.ellipse:
         totals.area = pi * totals.max_half_length * totals.stop
         return
