@@ -54,7 +54,8 @@ def test_the_friction_power_is_the_work_of_the_forces(values):
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)
 def test_reversed_motion_reverses_the_forces(values):
     allowed = 1e-5 * LIMIT
-    assert forces(solve(tuple(-each for each in values))) == pytest.approx(-forces(solve(values)), abs=allowed)
+    reversed_motion = tuple(-each for each in values)
+    assert forces(solve(reversed_motion)) == pytest.approx(-forces(solve(values)), abs=allowed)
 
 
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)

@@ -7,7 +7,12 @@ import pytest
 
 from tests.helpers.creep import stored
 from wrcontact.reference.rolling import roll_ellipse
-from wrcontact.reference.rolling.kalker import POISSON_RATIOS, RATIOS, creep_coefficients, slender_coefficients
+from wrcontact.reference.rolling.kalker import (
+    POISSON_RATIOS,
+    RATIOS,
+    creep_coefficients,
+    slender_coefficients,
+)
 
 #: Linear force over the friction limit.  Between them the ratio of true to linear force is a straight line,
 #: which leads to the limit of no slip; the rest is 1e-5.
