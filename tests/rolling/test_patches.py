@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from tests.helpers.strips import system_of
+from wrcontact import Status
 from wrcontact.kernel import layout
 from wrcontact.kernel.layout import SolvedPatches, size
 from wrcontact.reference.rolling import Outline, outline_of_patch, roll_ellipse, roll_patch
@@ -59,6 +61,27 @@ def test_a_slanted_patch_lies_around_its_centre_of_load():
     assert np.average(x, weights=field.pressure) == pytest.approx(0.0, abs=1e-5)
     assert np.average(y, weights=field.pressure) == pytest.approx(0.0, abs=1e-5)
     assert field.normal_force == pytest.approx(FORCE)
+
+
+@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+@pytest.mark.parametrize("shift, yaw", [(1e-3, 0.0), (5.5e-3, 0.0), (3.5e-3, 0.02)], ids=str)
+def test_patches_of_the_models(model, shift, yaw):
+    """Load and position exactly; area and largest pressure to 2 %, what straight lines between the 9 nodes of
+    the coarsest patch leave."""
+    stepper = system_of(model).stepper()
+    stepper.inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, 78.5e3
+    assert stepper.step() == Status.VALID
+    solved = layout.Work.at(stepper._workspace).contact.solved      # of the wheel that was solved last
+    assert solved.count > 0
+    for patch in (solved.patches[k] for k in range(solved.count)):
+        field, totals = outline_of_patch(solved, patch).on_grid(60, 60), patch.totals
+        assert field.normal_force == pytest.approx(totals.load, rel=1e-9)
+        assert field.y[[0, -1]] + totals.centroid == pytest.approx([totals.start, totals.stop],
+                                                                   abs=totals.width / 60)
+        assert field.cover.sum() * field.cell_area == pytest.approx(totals.area, rel=0.02)
+        assert field.pressure.max() == pytest.approx(totals.max_pressure, rel=0.02)
+        assert np.average(field.y, weights=field.pressure.sum(axis=1)) == pytest.approx(
+            0.0, abs=0.01 * totals.width)
 
 
 def test_a_patch_without_load_is_refused():

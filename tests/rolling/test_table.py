@@ -12,9 +12,9 @@ from wrcontact.reference.rolling.kalker import creep_coefficients
 
 FOLDER = ROOT / "wrcontact" / "kernel" / "data"
 POISSON_RATIOS = (0.25, 0.28, 0.30)
-#: Of the friction limit, and of its moment at sqrt(ab): single precision, and the solver's residual, which
-#: depends on where it started.
-TOLERANCE = 2e-5
+#: Of the friction limit, and of its moment at sqrt(ab): the solver's residual, which depends on where it
+#: started, and 1e-5 of the load, which the stations of the stored ellipses lose.
+TOLERANCE = 3e-5
 
 
 def tool():
