@@ -41,9 +41,9 @@ def check_line(table, line):
 
 def test_nodes_are_made_again(table, monkeypatch):
     """The first nodes of two lines."""
-    monkeypatch.setattr(nodes, "RHO", nodes.RHO[:3])
+    monkeypatch.setattr(nodes, "RHO", nodes.RHO[:2])
     check_line(table, (0, 1, 4))
-    check_line(table, (6, 2, 9))
+    check_line(table, (5, 2, 9))
 
 
 @pytest.mark.slow
@@ -90,6 +90,18 @@ def test_a_node_is_what_its_words_say(table):
                          friction=friction, shear_modulus=shear, poisson_ratio=nu)
     shares = np.array([found.force_x, found.force_y, found.moment / mean]) / limit
     assert shares == pytest.approx(table["forces"][k, i, j, m, :3], abs=TOLERANCE)
+
+
+def test_poissons_ratio_changes_the_forces_evenly():
+    """The three tables were solved apart; at 0.28 a straight line between 0.25 and 0.30 is off by 4e-4 of the
+    friction limit at most (measured 0.032 %, 0.002 % in the mean), while the ends differ by 3 %."""
+    tables = []
+    for ratio in POISSON_RATIOS:
+        with np.load(FOLDER / tool().file_name(ratio)) as stored:
+            tables.append(stored["forces"][..., :3])
+    low, middle, high = tables
+    assert np.abs(high - low).max() > 0.02
+    assert np.abs(middle - (0.4 * low + 0.6 * high)).max() < 4e-4
 
 
 def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
