@@ -99,7 +99,7 @@ def outlined():
 
 def gridded():
     """Patches by CONTACT, its pressures too."""
-    found = read("patches")
+    found = read("contact_patches")
     meta = found["meta"]
     for one in found["patches"]:
         parts = grid_parts(one, modulus(meta["G_MPa"], meta["nu"]), meta["nu"])
