@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-from .creep import CreepForces, CreepPatch, creep_forces, elliptic_patch, outlined_patch
+from .creep import CreepForces, CreepPatch, creep_forces, elliptic_patch, outlined_patch, patch_of
 from .interface.friction import Friction
 from .interface.parameters import Material, Track, Wheelset
 from .methods import (
@@ -45,7 +45,7 @@ __all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status"
            "Hertz", "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
            "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth", "CoupledStrips",
            "Fastrip", "Fastsim", "HalfspaceRolling", "NoTangential", "Polach", "CreepForces", "CreepPatch",
-           "creep_forces", "elliptic_patch", "outlined_patch"]
+           "creep_forces", "elliptic_patch", "outlined_patch", "patch_of"]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "plots", "reference", "study"})

@@ -1,13 +1,14 @@
 """Which files of the package a simulation needs: what the session imports, and the kernel with its compiled
-libraries and the numbers that its tables are made from."""
+libraries."""
 
 import ast
 import sys
 from pathlib import Path
 
-from ..kernel.binding import reach_table, rolling_table
 from ..kernel.binding.library import HERE, LibraryUnusable, open_library
 from ..kernel.binding.platforms import LIBRARY_NAME, library_name
+from ..kernel.binding.reach_table import DATA
+from ..kernel.binding.rolling_table import CORRECTION
 from ..progress import tracked
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
@@ -16,13 +17,11 @@ ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
 OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference", "progress",
                      "convert", "pages"})
-#: What the tables of the tangential models are made from.
-NUMBERS = (reach_table.DATA, rolling_table.CORRECTION)
 
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py")) | set(NUMBERS)
+    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py")) | {DATA, CORRECTION}
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 

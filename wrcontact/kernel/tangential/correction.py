@@ -14,7 +14,7 @@ s3 is zero on both sides of the azimuth's ends, where the table's values change 
 so the correction is continuous all over.
 """
 
-from math import atan2, exp, log, pi, sqrt
+from math import atan2, exp, fabs, log, pi, sqrt
 from typing import Final
 
 from ..layout import (
@@ -94,7 +94,7 @@ def node_at(table: RollingTable, along: float, across: float, turning: float):
     radius = sqrt(flat * flat + along * along)
     elevation, on_elevation = table_cell(atan2(along, flat) * (2.0 / pi) * float(CORRECTION_ELEVATIONS - 1),
                                          float(CORRECTION_ELEVATIONS - 1))
-    azimuth, on_azimuth = table_cell(atan2(turning, across) / pi * float(CORRECTION_AZIMUTHS - 1),
+    azimuth, on_azimuth = table_cell(atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1),
                                      float(CORRECTION_AZIMUTHS - 1))
     cell, on_radius = radius_cell(table, radius / (1.0 + radius))
     at = elevation * ELEVATION_STRIDE + azimuth * CORRECTION_LINE + cell * CORRECTION_COLUMNS
