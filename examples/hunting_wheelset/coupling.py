@@ -40,14 +40,24 @@ def build(folder, **profiles):
     return build_native_fmus(folder, **profiles)[0], Path(wheelset)
 
 
+def unpacked(archive):
+    """The folder beside an archive with its contents, unpacked anew only if the archive is newer."""
+    archive = Path(archive)
+    folder = archive.with_suffix("")
+    if not folder.is_dir() or folder.stat().st_mtime < archive.stat().st_mtime:
+        fmpy.extract(str(archive), str(folder))
+        folder.touch()
+    return str(folder)
+
+
 class Unit:
     """An instance of an FMU, which speaks in names."""
 
     def __init__(self, archive, name, /, **parameters):
-        self.folder = fmpy.extract(str(archive))
-        description = fmpy.read_model_description(self.folder)
+        folder = unpacked(archive)
+        description = fmpy.read_model_description(folder)
         self.reference = {v.name: v.valueReference for v in description.modelVariables}
-        self.slave = FMU2Slave(guid=description.guid, unzipDirectory=self.folder, instanceName=name,
+        self.slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName=name,
                                modelIdentifier=description.coSimulation.modelIdentifier)
         self.slave.instantiate()
         self.slave.setupExperiment(startTime=0.0)
@@ -135,8 +145,8 @@ class Loop:
                                  "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
                                  "yaw": wheelset.get("start_yaw", 0.0),
                                  "left.friction": friction, "right.friction": friction})
-        stand = self.contact.ports(["equilibrium.vertical_shift", "equilibrium.roll"]).read()
-        given = {"start_vertical_shift": stand[0], "start_roll": stand[1]} | wheelset
+        self.stand = self.contact.ports(["equilibrium.vertical_shift", "equilibrium.roll"]).read()
+        given = {"start_vertical_shift": self.stand[0], "start_roll": self.stand[1]} | wheelset
         self.wheelset = Unit(archives[1], "wheelset", **given)
         self.motion, self.moved = (unit.ports(names) for unit, names in zip(
             (self.wheelset, self.contact), zip(*TO_CONTACT)))

@@ -81,7 +81,7 @@ class Wheelset(Fmi2Slave):
         self.linear = False                     # whether a derivative was ever given
         self.distance = 0.0
         self._register()
-        self._prepare()
+        self.prepare()
 
     # --- variables ------------------------------------------------------------------------------------------
 
@@ -127,7 +127,7 @@ class Wheelset(Fmi2Slave):
 
     # --- the model ------------------------------------------------------------------------------------------
 
-    def _prepare(self):
+    def prepare(self):
         """Matrices of the wheelset and its suspension, and the state at the start."""
         p = self.parameters
         boxes, arm = 2.0, p["box_distance"]
@@ -148,10 +148,10 @@ class Wheelset(Fmi2Slave):
         self.distance = 0.0
 
     def exit_initialization_mode(self):
-        self._prepare()
+        self.prepare()
 
     def enter_initialization_mode(self):
-        self._prepare()
+        self.prepare()
 
     def curvature(self, distance):
         """Curvature of the track [1/m], and by how much it grows per metre [1/m2]."""

@@ -1,0 +1,115 @@
+"""Hunting: Klingel's wave at low speed, the critical speed, and the limit cycle beyond it.
+
+    python -m examples.hunting_wheelset.hunting [FOLDER]
+
+prints the figures and draws FOLDER/hunting.png.
+"""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import wrcontact
+from wrcontact.conditioning import equivalent_conicity
+from wrcontact.plots.style import CONTACT_COLOUR, MM, QUIET, WHEEL_COLOUR, save
+
+from .coupling import CONTACT, Loop, build
+from .profiles import cone_wheel
+from .stability import Linear
+
+RADIUS, LOAD = 0.46, 157e3      # [m], [N]
+STEP = 1e-4                     # [s]
+#: Cases of Klingel's wave: rail inclination, speed [m/s], lateral shift at the start [m].
+KLINGEL = {"cone 1:20": (0.05, 10.0, 0.5e-3), "S1002": (0.025, 10.0, 3e-3)}
+#: Primary suspension for the critical speed: stiffness and damping of one axle box.
+SUSPENSION = {"longitudinal_stiffness": 3.6e5, "lateral_stiffness": 2e5}
+
+
+# --- Klingel ------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Rolling:
+    """Rolling radii of a pair of profiles under load: ``shift`` (n,), ``difference`` of the radii, right minus
+    left (n,), ``roll`` (n,) and the half distance of the contacts ``arm``, in m and rad."""
+
+    shift: np.ndarray
+    difference: np.ndarray
+    roll: np.ndarray
+    arm: float
+
+    def conicity(self, amplitude):
+        """Equivalent conicity for a wheelset that swings by ``amplitude`` [m]."""
+        return float(np.ravel(equivalent_conicity(self.shift, self.difference, amplitude))[0])
+
+    def wavelength(self, amplitude, rolls=True):
+        """Klingel's 2 pi sqrt(b r0 / tan(gamma)) [m]; with ``rolls``, of a wheelset that also rolls about its x
+        axis (docs/conventions.md): 1 - r0 dq/dy more under the root."""
+        slope = np.interp(amplitude, self.shift, self.roll) / amplitude if rolls else 0.0
+        return 2 * np.pi * np.sqrt(self.arm * RADIUS * (1 - RADIUS * slope) / self.conicity(amplitude))
+
+
+def rolling(system, reach, count=121):
+    """:class:`Rolling` of a system, each wheel's radius and place weighted by the loads of its patches, for
+    lateral shifts of -``reach`` ... ``reach`` [m]."""
+    shifts = np.linspace(-reach, reach, count)
+    states = [system.evaluate(lateral_shift=shift, normal_force=LOAD / 2) for shift in shifts]
+
+    def mean(wheel, name):
+        loads = [patch.normal_force for patch in wheel.patches]
+        return np.average([getattr(patch, name) for patch in wheel.patches], weights=loads)
+
+    difference = [mean(state.right, "rolling_radius") - mean(state.left, "rolling_radius") for state in states]
+    arms = [(mean(state.right, "y_track") - mean(state.left, "y_track")) / 2 for state in states]
+    return Rolling(shifts, np.array(difference), np.array([state.roll for state in states]),
+                   float(np.mean(arms)))
+
+
+def crossings(x, y):
+    """Places where ``y`` (n,) passes zero, linear in between."""
+    k = np.flatnonzero(y[:-1] * y[1:] < 0)
+    return x[k] - y[k] * (x[k + 1] - x[k]) / (y[k + 1] - y[k])
+
+
+def measured_wave(run, skip=1):
+    """Wavelength [m] and amplitude [m] of a run from zero to zero, without the first ``skip`` half waves, while
+    the wheelset finds its rotation and its roll."""
+    way = run["distance"]
+    zeros = crossings(way, run["lateral_shift"])[skip:]
+    inside = (way >= zeros[0]) & (way <= zeros[-1])
+    amplitude = np.ptp(run["lateral_shift"][inside]) / 2
+    return 2 * np.mean(np.diff(zeros)), amplitude
+
+
+def klingel(archives, system, speed, start, waves=2.5, **coupling):
+    """Measured wavelength, its amplitude, and Klingel's wavelengths with and without roll [m]; and the run."""
+    curve = rolling(system, 1.6 * start)
+    duration = waves * curve.wavelength(start) / speed
+    rails = {"rail_inclination": system.track.rail_inclination}
+    with Loop(archives, {"frame_speed": speed, "start_lateral_shift": start}, CONTACT | rails,
+              seen=("distance",)) as loop:
+        run = loop.run(duration, STEP, **coupling)
+    wave, amplitude = measured_wave(run)
+    return wave, amplitude, curve.wavelength(amplitude), curve.wavelength(amplitude, rolls=False), run
+
+
+# --- critical speed and limit cycle -------------------------------------------------------------------------
+
+
+def cycle(archives, speed, start, duration, contact=None, suspension=SUSPENSION, step=STEP):
+    """A run at ``speed`` [m/s] from ``start`` [m], and its amplitude at the end [m], over its last fifth."""
+    with Loop(archives, suspension | {"frame_speed": speed, "start_lateral_shift": start}, contact) as loop:
+        run = loop.run(duration, step, every=10)
+    return run, np.ptp(run["lateral_shift"][-len(run.time) // 5:]) / 2
+
+
+def growth(run):
+    """Growth [1/s] of an oscillation, from its turning points; nan for fewer than four."""
+    y = run["lateral_shift"]
+    k = np.flatnonzero((y[1:-1] - y[:-2]) * (y[2:] - y[1:-1]) < 0) + 1
+    if len(k) < 4:
+        return np.nan
+    sizes = np.abs(np.diff(y[k]))
+    return np.polyfit((run.time[k][1:] + run.time[k][:-1]) / 2, np.log(sizes), 1)[0]
