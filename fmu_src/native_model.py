@@ -19,8 +19,7 @@ from ..interface.variables import (
     VARIABLES,
 )
 from ..kernel import layout
-from ..kernel.binding.hertz_table import hertz_table
-from ..kernel.binding.influence_table import influence_table
+from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.setup import PLACES, setup_of
 from ..kernel.prepare import tables as prepare_tables
 from ..kernel.prepare.scan import FINE_STEP
@@ -54,7 +53,7 @@ def sizes_header(token, profiles, blocks):
            for name in (sided, f"left_{sided}")},
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "PROFILES": len(profiles), "LADDERS": len(ladders()), "BLOCKS": len(blocks),
-        "HERTZ_SIZE": len(hertz_table()), "INFLUENCE_SIZE": len(influence_table()),
+        "FIXED_SIZE": len(fixed_tables()),
         "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
@@ -84,8 +83,7 @@ def model_code(starts, profiles, blocks):
         rows.append(f"    {{{text(name)}, {text(profile.kind)}, profile_{number}, {len(values)}}},")
     parts += ["const model_profile model_profiles[MODEL_PROFILES] = {", *rows, "};", "", *ladder_code()]
     parts += numbers("const double model_setup[MODEL_SETUP]", default_setup())
-    parts += numbers("const double model_hertz[MODEL_HERTZ_SIZE]", hertz_table())
-    parts += numbers("const double model_influence[MODEL_INFLUENCE_SIZE]", influence_table())
+    parts += numbers("const double model_fixed[MODEL_FIXED_SIZE]", fixed_tables())
     rows = [f"    {{{first}, {run}}}," for first, run in blocks]
     parts += ["const model_block model_blocks[MODEL_BLOCKS + 1] = {", "    {0, 0},", *rows, "};"]
     return "\n".join(parts) + "\n"

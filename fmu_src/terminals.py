@@ -4,6 +4,7 @@ from pathlib import Path
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from ..conventions import SIDES
+from ..interface.friction import FRICTION as FRICTION_INPUTS
 from ..interface.motion import MOTION as MOTION_INPUTS
 from ..interface.rails import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
@@ -15,6 +16,7 @@ POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_inpu
         "yaw": "yaw", "roll_guess": "roll_guess"}
 RAILS = {row.name: row.name for row in RAIL_INPUTS}
 MOTION = {row.name: row.name for row in MOTION_INPUTS}
+FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 
 
@@ -58,6 +60,7 @@ def terminals(names):
         "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
         "rails": ("rails", "How far the rails are from their nominal places", RAILS),
         "motion": ("motion", "How the wheelset and its rails move", MOTION),
+        "friction": ("friction", "Friction between wheels and rails", FRICTION),
         "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
                      {name: name for name in whole}),
     }

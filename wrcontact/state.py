@@ -120,8 +120,8 @@ def _named(rows, record):
             owner = (
                 cls
                 if not part
-                else type(part.capitalize(), (_View,), {"__slots__": (), "__doc__": table.PARTS[part],
-                                                        "_members": tuple(members)})
+                else type(_part_class(cls, part), (_View,), {"__slots__": (), "__doc__": table.PARTS[part],
+                                                             "_members": tuple(members)})
             )
             for name, row in members.items():
                 place = getattr(record, row.field).offset // 8
@@ -139,6 +139,12 @@ def _named(rows, record):
         return cls
 
     return decorate
+
+
+def _part_class(cls, part):
+    """The name of the class of a part: "Contact", or "SideNormal" where two classes have a part normal."""
+    name = part.capitalize()
+    return cls.__name__ + name if part == "normal" else name
 
 
 def _single(rows):

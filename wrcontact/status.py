@@ -3,6 +3,7 @@
 import math
 from enum import IntEnum
 
+from .interface.friction import FRICTION, FRICTION_LIMIT
 from .interface.inputs import INPUT_NAMES, INPUT_UNITS, INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
 from .interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from .kernel import layout
@@ -134,6 +135,10 @@ def _invalid_input(said):
     for row in INPUTS:
         if row.limited and abs(said.inputs[row.name]) > row.maximum:
             return said.beyond(row.name, row.maximum)
+    for row in FRICTION:
+        if not 0.0 <= said.inputs[row.name] <= FRICTION_LIMIT:
+            return (f"{said.equals(row.name, FRICTION_LIMIT)}; permitted is 0 <= {said.name(row.name)} <= "
+                    f"{said.terms.value(row.name, FRICTION_LIMIT)}")
     if said.inputs["normal_force"] < 0.0:
         return (f"{said.equals('normal_force', 0.0)}; permitted is {said.name('normal_force')} >= "
                 f"{said.terms.value('normal_force', 0.0)}")

@@ -62,11 +62,12 @@ class ContactSystem:
     """
 
     def __init__(
-        self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None, **parameters
+        self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None, friction=None,
+        **parameters
     ):
         for name in parameters.keys() - PARAMETERS.keys():
             raise TypeError(f"ContactSystem has no parameter {name!r}")
-        groups = {"track": track, "wheelset": wheelset, "material": material}
+        groups = {"track": track, "wheelset": wheelset, "material": material, "friction": friction}
         given = {"wheel": wheel, "rail": rail, **parameters}
         self.parameters, self.methods = checked_parameters(given, groups)
         warn_of_parameters(self.parameters, stacklevel=2)

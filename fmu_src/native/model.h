@@ -66,7 +66,6 @@ extern const model_variable model_variables[MODEL_VARIABLES];
 extern const model_profile model_profiles[MODEL_PROFILES];
 extern const model_ladder model_ladders[MODEL_LADDERS];
 extern const model_block model_blocks[MODEL_BLOCKS + 1];
-extern double const model_hertz[MODEL_HERTZ_SIZE];
-extern double const model_influence[MODEL_INFLUENCE_SIZE];
+extern double const model_fixed[MODEL_FIXED_SIZE];        /* the tables that do not depend on the profiles */
 
 #endif

@@ -100,6 +100,14 @@ static void invalid_input(const double *inputs, char *text, size_t size)
                      SIX_DIGITS(model_variables[i].high), unit);
             return;
         }
+    for (int i = layout__IN_LEFT_FRICTION; i <= layout__IN_RIGHT_FRICTION; i += 1)
+        if (!(inputs[i] >= 0.0 && inputs[i] <= layout__FRICTION_LIMIT))
+        {
+            const char *name = model_variables[i].name;
+            snprintf(text, size, "%s is %s; permitted is 0 <= %s <= %s", name, SIX_DIGITS(inputs[i]), name,
+                     SIX_DIGITS(layout__FRICTION_LIMIT));
+            return;
+        }
     if (inputs[layout__IN_NORMAL_FORCE] < 0.0)
         snprintf(text, size, "normal_force is %s N; permitted is normal_force >= 0 N",
                  SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]));

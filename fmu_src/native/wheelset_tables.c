@@ -227,8 +227,7 @@ static int begin_side(wheelset *self, const side_choice *side, double *setup, do
         return 1;
     preparation->setup = span_of(setup, MODEL_SETUP);
     preparation->report = span_of(report, MODEL_REPORT);
-    preparation->hertz = span_of((double *)model_hertz, MODEL_HERTZ_SIZE);
-    preparation->influence = span_of((double *)model_influence, MODEL_INFLUENCE_SIZE);
+    preparation->fixed = span_of((double *)model_fixed, MODEL_FIXED_SIZE);
     return 0;
 }
 

@@ -5,8 +5,9 @@ import numpy as np
 from wrcontact.interface.variables import OUTPUT, VARIABLES
 
 #: Outputs of one wheel that change their sign: y in the track frame, forces along y (true vectors), moments
-#: about x and z (axial vectors), and creepages across and about the normal.
-TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z", "creepage.y", "creepage.spin")
+#: about x and z (axial vectors), creepages across and about the normal, and the moment about it.
+TURNED = ("contact.y_track", "y_track", "force.y", "moment.x", "moment.z", "creepage.y", "creepage.spin",
+          "tangential.moment", "normal.force.y", "normal.moment.x", "normal.moment.z")
 
 
 def side_signs():

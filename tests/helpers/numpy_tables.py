@@ -21,11 +21,12 @@ from wrcontact.kernel.prepare.tables import START_STEP
 #: Where the kernel keeps the number of each method.
 METHOD_SETTINGS = {"contact_mode": layout.SET_MODE, "load": layout.SET_LOAD,
                    "normal_model": layout.SET_NORMAL_MODEL, "separation": layout.SET_SEPARATION,
-                   "longitudinal_curvature": layout.SET_LONGITUDINAL, "lateral_curvature": layout.SET_LATERAL}
+                   "longitudinal_curvature": layout.SET_LONGITUDINAL, "lateral_curvature": layout.SET_LATERAL,
+                   "tangential_model": layout.SET_TANGENTIAL}
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, methods,
-                 resolution, curvature_step=0.2e-3, curvature_reach=3e-3):
+                 resolution, curvature_step=0.2e-3, curvature_reach=3e-3, shear_modulus=8e10):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
     ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name
@@ -52,6 +53,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_ARM] = 0.5 * running_circle_distance
     settings[layout.SET_RAIL_Y] = placed_rail.y_track
     settings[layout.SET_CONTACT_MODULUS] = contact_modulus
+    settings[layout.SET_SHEAR_MODULUS] = shear_modulus
     settings[layout.SET_LATERAL_LIMIT] = LATERAL_LIMIT
     settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
     settings[[layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]] = resolution

@@ -12,8 +12,7 @@ from wrcontact.interface.inputs import LATERAL_LIMIT
 from wrcontact.interface.parameters import KERNEL_PARAMETERS
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel.binding.fixed_tables import fixed_tables
 from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.prepare import tables as prepare_tables
 from wrcontact.methods import NUMBERS
@@ -70,6 +69,7 @@ def witness(system):
     tables = build_tables(readable_wheel(system.wheel), placed, nominal_radius=chosen["nominal_radius"],
                           running_circle_distance=chosen["running_circle_distance"],
                           contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
+                          shear_modulus=chosen["youngs_modulus"] / (2 * (1 + chosen["poisson_ratio"])),
                           methods=methods, resolution=system.resolution,
                           curvature_step=chosen["curvature_step"], curvature_reach=chosen["curvature_reach"])
     known = {**chosen, **methods, "tolerance": chosen["tolerance"] or 0.01}
@@ -143,7 +143,7 @@ def test_a_definition_is_read_exactly():
 def test_setup_that_is_no_array_is_refused():
     upright = definition(standard_profile("UIC60"))
     with pytest.raises(TypeError, match="setup must be a numpy array"):
-        Kernel().prepare([0.0], upright, upright, hertz_table(), influence_table())
+        Kernel().prepare([0.0], upright, upright, fixed_tables())
 
 
 def test_constants_are_those_of_the_witness():

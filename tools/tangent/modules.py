@@ -136,7 +136,7 @@ class Kernel:
                                   (module.name, {*module.constants, *module.functions})]:
                 imported.setdefault(home, set()).update(names & set(offered))
         lines = [f'"""Tangents of {place}.py."""', ""]
-        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "fabs", "isfinite", "log", "pi",
+        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "exp", "fabs", "isfinite", "log", "pi",
                                      "sin", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")

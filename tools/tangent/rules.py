@@ -19,7 +19,7 @@ ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated"}
 #: Rates of functions of one argument, where {v} is the argument, {f} the value and {d} the argument's rate.
-RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})", "log": "{d} / {v}",
+RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})", "log": "{d} / {v}", "exp": "{f} * {d}",
          "sin": "cos({v}) * {d}", "cos": "-sin({v}) * {d}", "atan": "{d} / (1.0 + {v} * {v})"}
 HELPERS = '''"""How roots and sizes change: helpers of the differentiated kernel."""
 

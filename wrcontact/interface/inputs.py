@@ -1,5 +1,6 @@
 """The inputs: one row for each, in the order of the kernel's array."""
 
+from .friction import FRICTION
 from .motion import MOTION
 from .rails import RAILS
 from .rows import Input
@@ -33,6 +34,7 @@ INPUTS = (
           "right wheel down; other modes do not read it", -ROLL_LIMIT, ROLL_LIMIT, field="roll"),
     *RAILS,
     *MOTION,
+    *FRICTION,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)
@@ -40,5 +42,5 @@ INPUT_UNITS = tuple(row.unit for row in INPUTS)
 INPUT_NOMINALS = tuple(row.nominal for row in INPUTS)
 #: What an output may depend on; an FMU declares its dependencies once for all contact modes.
 ANSWERED = tuple(row.name for row in INPUTS if not row.hint)
-#: Those of them that say where the wheelset is and what it carries, not how it moves.
-POSE = tuple(name for name in ANSWERED if name not in {row.name for row in MOTION})
+#: Those of them that say where the wheelset is and what it carries, not how it moves nor its friction.
+POSE = tuple(name for name in ANSWERED if name not in {row.name for row in (*MOTION, *FRICTION)})

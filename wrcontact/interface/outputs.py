@@ -39,6 +39,18 @@ PATCH = (
            "both sides", field="creepage_y", follows=ANSWERED),
     Output("creepage.spin", "1/m", 1.0, "spin: rotation of the wheel about the normal from the rail to the "
            "wheel, over the rolling speed", field="spin", follows=ANSWERED),
+    Output("tangential.x", "N", 1e4, "creep force on the wheel, forward", field="creep_force_x",
+           follows=ANSWERED),
+    Output("tangential.y", "N", 1e4, "creep force on the wheel, in the plane of the patch to the field side",
+           field="creep_force_y", follows=ANSWERED),
+    Output("tangential.moment", "N.m", 10.0, "moment of the tractions on the wheel about the normal from the "
+           "rail to the wheel through its centre of load", field="creep_moment", follows=ANSWERED),
+    Output("stick_share", "1", 1.0, "share of the area that sticks; zero where the model does not know it",
+           0.0, 1.0, follows=ANSWERED),
+    Output("max_shear", "Pa", 1e8, "largest traction; zero where the model does not know it", 0.0,
+           follows=ANSWERED),
+    Output("friction_power", "W", 1e3, "power that friction takes from the motion", follows=ANSWERED),
+    Output("saturation", "1", 1.0, "creep force over friction times normal force", 0.0, follows=ANSWERED),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow
@@ -78,6 +90,14 @@ SIDE = (
     Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}", follows=ANSWERED),
     Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}",
            follows=ANSWERED),
+    Vector("normal.force", "N", 1e5, "part of the force that is due to the pressures alone, {axis}",
+           field="normal_part", follows=ANSWERED),
+    Vector("normal.moment", "N.m", 1e4, "moment of this part about the wheelset's centre, around the axis "
+           "{axis}", field="normal_moment", follows=ANSWERED),
+    Output("friction_power", "W", 1e3, "power that friction takes from the motion, sum over the patches",
+           follows=ANSWERED),
+    Output("wear_number", "N", 100.0, "wear number T gamma: creep forces times creepages without spin, sum "
+           "over the patches", 0.0, follows=ANSWERED),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),
@@ -94,6 +114,12 @@ WHEELSET = (
     Vector("moment", "N.m", 1e4,
            "Moment of the contact forces about the wheelset's centre, around the axis {axis}",
            follows=ANSWERED),
+    Vector("normal.force", "N", 1e5, "Part of the resultant that is due to the pressures alone, {axis}",
+           field="normal_part", follows=ANSWERED),
+    Vector("normal.moment", "N.m", 1e4, "Moment of this part about the wheelset's centre, around the axis "
+           "{axis}", field="normal_moment", follows=ANSWERED),
+    Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they turn "
+           "the wheels forward", follows=ANSWERED),
 )
 
 SIDES = ("left", "right")
@@ -101,5 +127,7 @@ SIDES = ("left", "right")
 #: Words for what stands before the dot of a name.
 PARTS = {
     "contact": "The contact point in the frames of the wheel, the rail and the track.",
+    "tangential": "Creep force and moment of a patch on its wheel.",
+    "normal": "Forces and moments of the pressures alone, without creep forces.",
     "creepage": "Velocity of the wheel against the rail in the plane of a patch, over the rolling speed.",
 }

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from ..methods import FAMILIES
 from ..methods.choices import check_choice
 from ..methods.numbers import Checked, Number, frozen, number, unit_behind, warn_unusual
+from .friction import Friction
 from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 
 
@@ -56,7 +57,7 @@ class Material(Checked):
 
 
 #: Records that may be given instead of the keywords that they hold.
-GROUPS = {"track": Track, "wheelset": Wheelset, "material": Material}
+GROUPS = {"track": Track, "wheelset": Wheelset, "material": Material, "friction": Friction}
 
 #: Keywords that say where the profiles can touch.
 GEOMETRY = (*Track.keywords(), *Wheelset.keywords())

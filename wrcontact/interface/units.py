@@ -26,6 +26,7 @@ UNITS = {
         Unit("rad", {"rad": 1}, "Angle", "deg", 180.0 / math.pi),
         Unit("N", {"kg": 1, "m": 1, "s": -2}, "Force", "kN", 1e-3),
         Unit("N.m", {"kg": 1, "m": 2, "s": -2}, "Moment", "kN.m", 1e-3),
+        Unit("W", {"kg": 1, "m": 2, "s": -3}, "Power", "kW", 1e-3),
         Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
         Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
         Unit("1/m", {"m": -1}, "Curvature"),

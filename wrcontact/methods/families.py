@@ -14,8 +14,8 @@ from .separation import Equidistant, EquidistantChord, NormalSeparation, Vertica
 from .strip import Strip
 from .tangential_model import (
     CoupledStrips,
-    Fastsim,
     Fastrip,
+    Fastsim,
     HalfspaceRolling,
     NoTangential,
     Polach,

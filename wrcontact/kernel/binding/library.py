@@ -80,11 +80,11 @@ class Kernel:
                   checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
-    def prepare(self, setup, wheel, rail, hertz, influence):
+    def prepare(self, setup, wheel, rail, fixed):
         """Outcome, tables and report of prepare/tables.py for one side and these arrays: a setup, two
-        definitions, two tables.  :meth:`complete` has to follow."""
+        definitions, the fixed tables.  :meth:`complete` has to follow."""
         given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
-                                                          ("hertz", hertz), ("influence", influence))]
+                                                          ("fixed", fixed))]
         outcome, room = TABLES_FULL, TABLE_ROOM
         while outcome == TABLES_FULL and room <= MOST_ROOM:
             tables, report = np.zeros(room), np.zeros(REPORT_COUNT)
@@ -98,9 +98,9 @@ class Kernel:
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
-        _, wheel, rail, hertz, influence, _, work, report = map(view, arrays)
-        setup, head = Setup.at(arrays[0]), Tables.at(arrays[5])
-        return source.prepare(setup, wheel, rail, hertz, influence, head, work, report)
+        _, wheel, rail, fixed, _, work, report = map(view, arrays)
+        setup, head = Setup.at(arrays[0]), Tables.at(arrays[4])
+        return source.prepare(setup, wheel, rail, fixed, head, work, report)
 
     def complete(self, setup, left, right):
         """Write starts and methods into the prepared tables of both sides; one array where they are equal."""
@@ -188,7 +188,7 @@ class Preparation(ctypes.Structure):
     """wrcontact_preparation in native/wrcontact_prepare.h."""
 
     _fields_ = [(name, Span)
-                for name in ("setup", "wheel", "rail", "hertz", "influence", "tables", "work", "report")]
+                for name in ("setup", "wheel", "rail", "fixed", "tables", "work", "report")]
 
 
 class Handle(ctypes.Structure):

@@ -7,8 +7,7 @@ and in a native FMU alike.
 
 import numpy as np
 
-from .hertz_table import hertz_table
-from .influence_table import influence_table
+from .fixed_tables import fixed_tables
 from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
@@ -66,7 +65,7 @@ def prepare_side(setup, wheel_definition, rail_definition, wheel, rail):
     """The tables (n,) of one side without starts and methods, for definitions of the profiles ``wheel`` and
     ``rail``."""
     outcome, tables, report = default_kernel().prepare(setup, wheel_definition, rail_definition,
-                                                       hertz_table(), influence_table())
+                                                       fixed_tables())
     if outcome == prepare_tables.PREPARED:
         return tables
     raise ValueError(refusal(outcome, report, wheel.name, rail.name))

@@ -41,11 +41,9 @@ static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rai
     double x;
     double y;
     double z;
-    double around_x;
-    double around_y;
-    double around_z;
-    double distance;
-    double rolling;
+    double rolling_x;
+    double rolling_y;
+    double rolling_z;
     double along;
     double lateral;
     double vertical;
@@ -55,18 +53,13 @@ static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rai
     x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y));
     z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z));
-    /* e2 x (P - C), and how much of it is due to the rotation of the wheel */
-    around_x = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z)) * y;
-    around_y = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_X)) * z;
-    around_z = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y)) * x;
-    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z);
-    rolling = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) / distance;
-    along = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) * z - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) * y - rolling * around_x;
-    lateral = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_LATERAL)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_X)) * z - rolling * around_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
-    vertical = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_VERTICAL)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) * x - rolling * around_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, work, x, y, z, (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)));
+    along = creepage__velocity_along(work, y, z, rolling_x);
+    lateral = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_LATERAL)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_X)) * z - rolling_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
+    vertical = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_VERTICAL)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
     normal_y = (-mirror) * sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
     normal_z = -cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    reference = 0.5 * (fabs((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED))) + fabs(rolling * around_x));
+    reference = creepage__reference_speed(work, rolling_x);
     if (reference > creepage__STANDSTILL)
     {
         (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = along / reference;
@@ -74,4 +67,53 @@ static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rai
         (*cspan_at(&work, patch + layout__PATCH_SPIN)) = (((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y))) * normal_y + ((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z))) * normal_z) / reference;
     }
     return INT64_C(0);
+}
+
+/* Velocity w e2 x (P - C) [m/s] of a place (x, y, z) from the wheelset's centre, where the wheel has the
+ * rolling ``radius`` [m]; its three components.
+ */
+static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, array_double_1d work, double x, double y, double z, double radius)
+{
+    double around_x;
+    double around_y;
+    double around_z;
+    double distance;
+    double rolling;
+    around_x = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z)) * y;
+    around_y = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_X)) * z;
+    around_z = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_AXLE_Y)) * x;
+    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z);
+    rolling = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_WHEEL_RATE)) * radius / distance;
+    (*result_0) = rolling * around_x;
+    (*result_1) = rolling * around_y;
+    (*result_2) = rolling * around_z;
+    return 0;
+}
+
+/* Velocity of the wheel's surface along the track [m/s] at a place y, z from the wheelset's centre. */
+static inline double creepage__velocity_along(array_double_1d work, double y, double z, double rolling_x)
+{
+    double result;
+    result = (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TRACK_RATE)) * (y + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y))) + (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Y)) * z - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_TURN_Z)) * y - rolling_x;
+    return result;
+}
+
+/* The rolling speed [m/s] that creepages are referred to. */
+static inline double creepage__reference_speed(array_double_1d work, double rolling_x)
+{
+    double result;
+    result = 0.5 * (fabs((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED))) + fabs(rolling_x));
+    return result;
+}
+
+/* The rolling speed [m/s] that the creepages of a patch are referred to. */
+static inline double creepage__patch_speed(array_double_1d work, int64_t patch)
+{
+    double rolling_x;
+    double rolling_y;
+    double rolling_z;
+    double result;
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, work, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)), (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)), (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)));
+    result = creepage__reference_speed(work, rolling_x);
+    return result;
 }

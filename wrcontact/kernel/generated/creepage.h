@@ -25,7 +25,11 @@
 
 static const double creepage__STANDSTILL = 1e-06;
 
+static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, array_double_1d work, double x, double y, double z, double radius);
+static inline double creepage__velocity_along(array_double_1d work, double y, double z, double rolling_x);
+static inline double creepage__reference_speed(array_double_1d work, double rolling_x);
 static inline int64_t creepage__write_creepage(array_double_1d work, int64_t rail, int64_t patch, double mirror);
 static inline int64_t creepage__write_side_creepages(array_double_1d work, int64_t rail, int64_t side, double mirror);
+static inline double creepage__patch_speed(array_double_1d work, int64_t patch);
 
 #endif

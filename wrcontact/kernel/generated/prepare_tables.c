@@ -98,24 +98,6 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
     return INT64_C(0);
 }
 
-/* Copy a whole table to ``at`` and note that; the offset after it, or FULL. */
-static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at, int64_t setting, array_double_1d table)
-{
-    int64_t size;
-    int64_t i;
-    size = (int64_t)table.shape[INT64_C(0)];
-    if (at + size > (int64_t)tables.shape[INT64_C(0)])
-    {
-        return prepare_pieces__FULL;
-    }
-    (*cspan_at(&tables, setting)) = (double)(at);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, at + i)) = (*cspan_at(&table, i));
-    }
-    return at + size;
-}
-
 /* A table of starts at ``at``, which counts as empty until ``open_starts``; the
  * offset after it, or FULL.
  */
@@ -138,10 +120,11 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
     return at + layout__STARTS_SIZE;
 }
 
-/* Everything but starts and methods into ``tables``; the outcome. The workspace holds both definitions
- * and as much again as the tables.
+/* Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
+ * depend on the profiles (fixed.py); the workspace holds both definitions and as much again as the
+ * tables.
  */
-static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report)
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report)
 {
     int64_t i;
     int64_t rail_zones;
@@ -184,11 +167,18 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     }
     if (at != prepare_pieces__FULL)
     {
-        at = prepare_tables__append(tables, at, layout__SET_HERTZ, hertz);
+        (*cspan_at(&tables, layout__TABLES_HERTZ)) = (double)(at);
+        at = prepare_fixed__append_fixed(tables, at, fixed, prepare_fixed__FIXED_HERTZ);
     }
     if (at != prepare_pieces__FULL)
     {
-        at = prepare_tables__append(tables, at, layout__SET_INFLUENCE, influence);
+        (*cspan_at(&tables, layout__TABLES_INFLUENCE)) = (double)(at);
+        at = prepare_fixed__append_fixed(tables, at, fixed, prepare_fixed__FIXED_INFLUENCE);
+    }
+    if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)) != layout__TANGENTIAL_NONE))
+    {
+        (*cspan_at(&tables, layout__TABLES_ROLLING)) = (double)(at);
+        at = prepare_fixed__append_rolling(tables, at, fixed, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
     }
     if (at != prepare_pieces__FULL)
     {

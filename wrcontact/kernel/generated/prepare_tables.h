@@ -16,6 +16,7 @@
 #include "layout.h"
 #include "prepare_arcs.h"
 #include "prepare_curvatures.h"
+#include "prepare_fixed.h"
 #include "prepare_pieces.h"
 #include "prepare_placement.h"
 #include "prepare_scan.h"
@@ -38,9 +39,8 @@ static inline int64_t prepare_tables__copy_definition(array_double_1d definition
 static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report);
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables);
-static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at, int64_t setting, array_double_1d table);
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
-static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report);
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
 static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);

@@ -5,6 +5,7 @@
 #endif
 #include "prepare_arcs.c"
 #include "prepare_curvatures.c"
+#include "prepare_fixed.c"
 #include "prepare_pieces.c"
 #include "prepare_placement.c"
 #include "prepare_scan.c"

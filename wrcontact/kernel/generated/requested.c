@@ -34,6 +34,14 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__INVALID_INPUT;
     }
+    if (friction__is_frictional((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), layout__FRICTION_LIMIT) == INT64_C(0))
+    {
+        status = layout__INVALID_INPUT;
+    }
+    if (friction__is_frictional((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), layout__FRICTION_LIMIT) == INT64_C(0))
+    {
+        status = layout__INVALID_INPUT;
+    }
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
     {
         if (!isfinite((*cspan_at(&work, layout__WORK_INPUTS + i))))
@@ -64,13 +72,15 @@ static inline int64_t requested__is_rail_far(array_double_1d work)
     return far;
 }
 
-/* The prescribed force of side ``index`` [N], with load transfer. */
+/* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what is
+ * left to the normal forces (friction_load.py).
+ */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
     double sign;
     double result;
     sign = (double)(INT64_C(2) * index - INT64_C(1));
-    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
     return result;
 }
 
@@ -128,7 +138,10 @@ static inline int64_t requested__omit_outputs(array_double_1d tables, array_doub
         {
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     return INT64_C(0);
 }

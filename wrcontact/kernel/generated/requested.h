@@ -8,6 +8,7 @@
 #define WRCONTACT_KERNEL_REQUESTED_H
 
 #include "../native/spans.h"
+#include "friction.h"
 #include "layout.h"
 #include "outlines.h"
 #include "wheelset_motion.h"

@@ -207,6 +207,17 @@ static inline int64_t resultant__write_resultant(array_double_1d work, array_dou
     {
         side = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
         (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MOMENT + INT64_C(0))) -= y * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(2))) - z * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(1)));
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + i));
+            (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MOMENT + i));
+        }
     }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i));
+    }
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = 0.0;
     return INT64_C(0);
 }

@@ -19,6 +19,7 @@
 #include "overlaps.h"
 #include "pressed_regions.h"
 #include "resultant.h"
+#include "rolling_patches.h"
 #include "totals.h"
 
 static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t index);

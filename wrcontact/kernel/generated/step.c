@@ -4,7 +4,8 @@
  *
  * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
  * solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
- * their loads; add up the forces.
+ * their loads; add up the forces. If the wheelset rolls, creepages follow, and from them the creep forces; where
+ * the load is a vertical one, friction carries some of it, and the wheelset is solved again.
  */
 
 #include "step.h"
@@ -12,13 +13,49 @@
 /* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
 static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
 {
-    double roll;
     int64_t status;
     status = requested__check_inputs(work, right_tables);
     if (status != layout__VALID)
     {
         return status;
     }
+    friction_load__release_friction(work);
+    status = step__solve_wheelset(left_tables, right_tables, work, state);
+    if ((status <= layout__UNLOADED) && (friction_load__carries_friction(right_tables, work) == INT64_C(1)))
+    {
+        status = step__solve_with_friction(left_tables, right_tables, work, state, status);
+    }
+    if (status <= layout__UNLOADED)
+    {
+        requested__omit_outputs(right_tables, work);
+    }
+    return status;
+}
+
+/* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status. */
+static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status)
+{
+    int64_t i;
+    int64_t outcome;
+    outcome = status;
+    for (i = INT64_C(0); i < friction_load__LOAD_PASSES; i += INT64_C(1))
+    {
+        if ((outcome > layout__UNLOADED) || (friction_load__is_load_met(work) == INT64_C(1)))
+        {
+            break;
+        }
+        friction_load__share_load(work);
+        outcome = step__solve_wheelset(left_tables, right_tables, work, state);
+    }
+    return outcome;
+}
+
+/* Contact of both wheels, resultant, creepages and creep forces; the status. */
+static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+{
+    double roll;
+    int64_t status;
+    status = layout__VALID;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
@@ -51,7 +88,10 @@ static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1
     {
         moving__write_creepages(left_tables, right_tables, work, state);
     }
-    requested__omit_outputs(right_tables, work);
+    if (creep_forces__has_creep_forces(right_tables, work) == INT64_C(1))
+    {
+        creep_forces__write_creep_forces(left_tables, right_tables, work);
+    }
     return status;
 }
 

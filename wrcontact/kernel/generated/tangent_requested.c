@@ -10,10 +10,12 @@ static inline int64_t tangent_requested__side_force_t(double* result_0, double* 
 {
     double sign;
     double v1;
+    double v2;
     sign = (double)(INT64_C(2) * index - INT64_C(1));
     v1 = 1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    (*result_0) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1;
-    (*result_1) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (sign * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    v2 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1;
+    (*result_0) = v2 * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+    (*result_1) = ((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (sign * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)) + v2 * (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
     return 0;
 }
 
@@ -45,7 +47,13 @@ static inline int64_t tangent_requested__omit_outputs_t(array_double_1d tables, 
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
             (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = 0.0;
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = 0.0;
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = 0.0;
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
+        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = 0.0;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     return INT64_C(0);
 }

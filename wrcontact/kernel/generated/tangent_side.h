@@ -19,6 +19,7 @@
 #include "tangent_overlaps.h"
 #include "tangent_pressed_regions.h"
 #include "tangent_resultant.h"
+#include "tangent_rolling_patches.h"
 #include "tangent_totals.h"
 
 static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);

@@ -287,6 +287,48 @@ static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d
 /* Tangent of ``differentiate``. */
 static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
+    int64_t n1;
+    int64_t i;
+    int64_t n2;
+    int64_t outcome;
+    n1 = tangent_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
+    outcome = n1;
+    if (friction_load__carries_friction(right_tables, work) == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < friction_load__LOAD_RATES; i += INT64_C(1))
+        {
+            tangent_wheelset_rules__follow_load_t(work, work_t);
+            n2 = tangent_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
+            outcome = n2;
+        }
+    }
+    tangent_requested__omit_outputs_t(right_tables, work, work_t);
+    return outcome;
+}
+
+/* Tangent of ``follow_load``. */
+static inline int64_t tangent_wheelset_rules__follow_load_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t index;
+    int64_t support;
+    double v1;
+    double v1_t;
+    double share_t;
+    double share;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        tangent_friction_load__carried_share_t(&v1, &v1_t, work, work_t, index);
+        share_t = v1_t;
+        share = v1;
+        (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) = (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * share_t / share;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_wheelset``. */
+static inline int64_t tangent_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
     int64_t mode;
     double v1;
     double v1_t;
@@ -328,6 +370,9 @@ static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d le
     {
         tangent_moving__write_creepages_t(left_tables, right_tables, work, work_t, state);
     }
-    tangent_requested__omit_outputs_t(right_tables, work, work_t);
+    if (creep_forces__has_creep_forces(right_tables, work) == INT64_C(1))
+    {
+        tangent_creep_forces__write_creep_forces_t(left_tables, right_tables, work, work_t);
+    }
     return outcome;
 }

@@ -7,11 +7,15 @@
 #define WRCONTACT_KERNEL_TANGENT_WHEELSET_RULES_H
 
 #include "../native/spans.h"
+#include "creep_forces.h"
 #include "damping.h"
 #include "elastic.h"
+#include "friction_load.h"
 #include "layout.h"
 #include "moving.h"
 #include "tangent_compliant.h"
+#include "tangent_creep_forces.h"
+#include "tangent_friction_load.h"
 #include "tangent_gap.h"
 #include "tangent_leaning.h"
 #include "tangent_moving.h"
@@ -30,6 +34,8 @@ static inline int64_t tangent_wheelset_rules__follow_leaning_roll_t(double* roll
 static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t);
 static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
 static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline int64_t tangent_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline int64_t tangent_wheelset_rules__follow_load_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
 
 #endif

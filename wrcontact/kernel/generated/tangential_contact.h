@@ -8,7 +8,8 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "polach.h"
 
-static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables);
+static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

@@ -8,6 +8,7 @@ from ...interface import inputs as _inputs
 from ...interface import outputs as _outputs
 from ...interface import rows as _rows
 from ...interface import variables as _variables
+from ...interface.friction import FRICTION_LIMIT  # noqa: F401
 from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT  # noqa: F401
 from ...interface.motion import (  # noqa: F401
     CURVATURE_LIMIT,

@@ -5,6 +5,7 @@ from typing import Final
 from .interface import Inputs, Outputs, Parameters
 from .record import size
 from .tables import Setup, Tables
+from .tangential import RollingTable
 from .wheelset import State
 from .work import Work
 
@@ -15,3 +16,4 @@ STATE_SIZE: Final[int] = size(State)
 SETTING_COUNT: Final[int] = size(Tables)
 SETUP_SIZE: Final[int] = size(Setup)
 PARAMETERS_SIZE: Final[int] = size(Parameters)
+ROLLING_TABLE_SIZE: Final[int] = size(RollingTable)

@@ -12,6 +12,7 @@ from .normal import HertzTable, InfluenceTable
 from .record import Float, To, record
 from .search import Scan, Starts
 from .surface import CubicTable, CurvatureTable, Profile
+from .tangential import RollingTable
 
 
 @record
@@ -60,4 +61,5 @@ class Tables:
     load: int                       # one of LOAD_...
     tangential: int                 # one of TANGENTIAL_...
     shear_modulus: float            # G of wheel and rail [Pa]
+    rolling: To(RollingTable)       # what the models of creep forces read; 0 where none is chosen
     parameters: Parameters          # all of the setup's

@@ -6,9 +6,24 @@ velocity of the wheel against the rail over the rolling speed.
 
 from typing import Final
 
-from .record import record
+from .interface import PATCH_LIMIT
+from .record import Float, record
 
 ROLLING_STRIP_LIMIT: Final[int] = 16
+
+# the table of rolling: columns over the shape of a patch, ln(a/b), as cubics over even cells
+SHAPE_START: Final[float] = -3.0
+SHAPE_PER_UNIT: Final[float] = 4.0
+SHAPE_CELLS: Final[int] = 28
+SHAPE_COLUMNS: Final[int] = 3        # 1/C11, 1/C22, 1/C23
+SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
+
+
+@record
+class RollingTable:
+    """What the models of creep forces read, for one Poisson's ratio (binding/rolling_table.py)."""
+
+    shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
 
 
 @record
@@ -21,6 +36,10 @@ class RollingStrip:
     half_length: float              # [m]
     line_load: float                # load per width [N/m]
     slip: float                     # its longitudinal creepage [-]
+    station: float                  # along the rail's profile, from the contact point [m]
+    y_track: float                  # track coordinates of its middle [m]
+    z_track: float
+    rolling_radius: float           # there [m]
 
 
 @record
@@ -41,3 +60,11 @@ class RollingPatch:
     moment: float                   # and moment about the normal through the point [N m]
     stick_share: float              # share of the area that sticks [-]
     max_shear: float                # largest traction [Pa]
+
+
+@record
+class RollingSide:
+    """The patches of a wheel that are reported, by falling load."""
+
+    count: int
+    patches: RollingPatch * PATCH_LIMIT

@@ -17,6 +17,7 @@ class Support:
     height: float                   # the vertical shift at which it carries its load [m]
     lever: float                    # how that follows the roll [m]
     resultant: Resultant            # force on the wheel and its moment about the track's origin
+    friction_load: float            # the load that it is to carry over that of the inputs [-]
 
 
 #: Of the left and right side.

@@ -7,7 +7,7 @@ from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import RollTrials, Sides
-from .tangential import RollingPatch
+from .tangential import RollingSide
 from .wheelset import Bracket, Broyden, Reference, Supports
 
 
@@ -47,4 +47,4 @@ class Work:
     trials: RollTrials
     motion: Motion
     reference: Reference
-    rolling: RollingPatch           # the patch whose creep force is computed
+    rolling: RollingSide * 2        # patches of the left and right wheel, cut into strips

@@ -38,21 +38,15 @@ def write_creepage(motion: Motion, rail: RailMotion, patch: Patch, mirror: float
     x = patch.x_track
     y = patch.y_track - motion.centre_y
     z = patch.z_track - motion.centre_z
-    # e2 x (P - C), and how much of it is due to the rotation of the wheel
-    around_x = motion.axle_y * z - motion.axle_z * y
-    around_y = motion.axle_z * x - motion.axle_x * z
-    around_z = motion.axle_x * y - motion.axle_y * x
-    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z)
-    rolling = motion.wheel_rate * patch.rolling_radius / distance
-    along = (motion.speed - motion.track_rate * patch.y_track + motion.turn_y * z - motion.turn_z * y
-             - rolling * around_x)
+    rolling_x, rolling_y, rolling_z = rolling_velocity(motion, x, y, z, patch.rolling_radius)
+    along = velocity_along(motion, y, z, rolling_x)
     lateral = (motion.lateral + motion.track_rate * x + motion.turn_z * x - motion.turn_x * z
-               - rolling * around_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
+               - rolling_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
     vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * x
-                - rolling * around_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
+                - rolling_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
     normal_y = -mirror * sin(patch.contact_angle)
     normal_z = -cos(patch.contact_angle)
-    reference = 0.5 * (fabs(motion.speed) + fabs(rolling * around_x))
+    reference = reference_speed(motion, rolling_x)
     if reference > STANDSTILL:
         patch.creepage_x = along / reference
         patch.creepage_y = (normal_z * lateral - normal_y * vertical) / reference
@@ -60,3 +54,33 @@ def write_creepage(motion: Motion, rail: RailMotion, patch: Patch, mirror: float
                       + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
                       ) / reference
     return 0
+
+
+def rolling_velocity(motion: Motion, x: float, y: float, z: float, radius: float):
+    """Velocity w e2 x (P - C) [m/s] of a place (x, y, z) from the wheelset's centre, where the wheel has the
+    rolling ``radius`` [m]; its three components."""
+    around_x = motion.axle_y * z - motion.axle_z * y
+    around_y = motion.axle_z * x - motion.axle_x * z
+    around_z = motion.axle_x * y - motion.axle_y * x
+    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z)
+    rolling = motion.wheel_rate * radius / distance
+    return rolling * around_x, rolling * around_y, rolling * around_z
+
+
+def velocity_along(motion: Motion, y: float, z: float, rolling_x: float):
+    """Velocity of the wheel's surface along the track [m/s] at a place y, z from the wheelset's centre."""
+    return (motion.speed - motion.track_rate * (y + motion.centre_y) + motion.turn_y * z - motion.turn_z * y
+            - rolling_x)
+
+
+def reference_speed(motion: Motion, rolling_x: float):
+    """The rolling speed [m/s] that creepages are referred to."""
+    return 0.5 * (fabs(motion.speed) + fabs(rolling_x))
+
+
+def patch_speed(motion: Motion, patch: Patch):
+    """The rolling speed [m/s] that the creepages of a patch are referred to."""
+    rolling_x, rolling_y, rolling_z = rolling_velocity(motion, patch.x_track,
+                                                       patch.y_track - motion.centre_y,
+                                                       patch.z_track - motion.centre_z, patch.rolling_radius)
+    return reference_speed(motion, rolling_x)

@@ -41,7 +41,7 @@ int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation)
 
 int wrcontact_prepare(const wrcontact_preparation *p)
 {
-    return (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->hertz, p->influence, p->tables, p->work, p->report);
+    return (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->fixed, p->tables, p->work, p->report);
 }
 
 void wrcontact_complete(array_double_1d setup, array_double_1d left, array_double_1d right, double *work)

@@ -12,8 +12,7 @@ typedef struct {
     array_double_1d setup;
     array_double_1d wheel;
     array_double_1d rail;
-    array_double_1d hertz;
-    array_double_1d influence;
+    array_double_1d fixed;
     array_double_1d tables;         /* are written, as far as report tells */
     array_double_1d work;           /* at least wrcontact_prepare_room(preparation) numbers */
     array_double_1d report;

@@ -14,13 +14,12 @@ from ..layout import (
     DEPTH_ALL,
     LATERAL_LIMIT,
     PARAMETERS_SIZE,
-    SET_HERTZ,
-    SET_INFLUENCE,
     SETTING_COUNT,
     SIDES_BOTH,
     START_COUNT,
     STARTS_SIZE,
     STATION_COUNT,
+    TANGENTIAL_NONE,
     UNLOADED,
     YAW_LIMIT,
     Outputs,
@@ -29,6 +28,7 @@ from ..layout import (
     Tables,
 )
 from .arcs import write_abscissae, write_arcs
+from .fixed import FIXED_HERTZ, FIXED_INFLUENCE, append_fixed, append_rolling
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
 from .placement import highest_point, inner_face, keep_around_top, turn_zones
@@ -117,17 +117,6 @@ def write_methods(setup: Setup, tables: Tables):
     return 0
 
 
-def append(tables: 'float[:]', at: int, setting: int, table: 'float[:]'):
-    """Copy a whole table to ``at`` and note that; the offset after it, or FULL."""
-    size = table.shape[0]
-    if at + size > tables.shape[0]:
-        return FULL
-    tables[setting] = float(at)
-    for i in range(size):
-        tables[at + i] = table[i]
-    return at + size
-
-
 def append_starts(tables: Tables, at: int):
     """A table of starts at ``at``, which counts as empty until ``open_starts``; the
     offset after it, or FULL."""
@@ -142,10 +131,11 @@ def append_starts(tables: Tables, at: int):
     return at + STARTS_SIZE
 
 
-def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
-            influence: 'float[:]', tables: Tables, work: 'float[:]', report: 'float[:]'):
-    """Everything but starts and methods into ``tables``; the outcome. The workspace holds both definitions
-    and as much again as the tables."""
+def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', fixed: 'float[:]',
+            tables: Tables, work: 'float[:]', report: 'float[:]'):
+    """Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
+    depend on the profiles (fixed.py); the workspace holds both definitions and as much again as the
+    tables."""
     for i in range(SETTING_COUNT):
         tables[i] = 0.0
     rail_zones = copy_definition(wheel_definition, work, 0)
@@ -169,9 +159,14 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
         report[REPORT_WIDTH] = Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start
         return WHEEL_TOO_WIDE
     if at != FULL:
-        at = append(tables.raw, at, SET_HERTZ, hertz)
+        tables.hertz = at
+        at = append_fixed(tables.raw, at, fixed, FIXED_HERTZ)
     if at != FULL:
-        at = append(tables.raw, at, SET_INFLUENCE, influence)
+        tables.influence = at
+        at = append_fixed(tables.raw, at, fixed, FIXED_INFLUENCE)
+    if at != FULL and setup.parameters.tangential_model != TANGENTIAL_NONE:
+        tables.rolling = at
+        at = append_rolling(tables, at, fixed, setup.parameters.poisson_ratio)
     if at != FULL:
         at = append_starts(tables, at)
     if at != FULL:

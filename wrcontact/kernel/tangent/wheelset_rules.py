@@ -18,8 +18,10 @@ from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Wo
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import load_at_height
+from ..wheelset.creep_forces import has_creep_forces, write_creep_forces
 from ..wheelset.damping import is_damped
 from ..wheelset.elastic import UNBALANCED
+from ..wheelset.friction_load import LOAD_RATES, carried_share, carries_friction
 from ..wheelset.leaning import set_reference
 from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
 from ..wheelset.requested import omit_outputs, side_force
@@ -126,9 +128,9 @@ def follow_position(left_tables: Tables, right_tables: Tables, work: Work, state
     set_reference(work.sides, height)
     place_moving(left_tables, right_tables, work, roll)
     follow_minimum(left_tables, work, 0)
-    balance_side(left_tables, work, state, 0, side_force(work.inputs, 0), height)
+    balance_side(left_tables, work, state, 0, side_force(work, 0), height)
     follow_minimum(right_tables, work, 1)
-    balance_side(right_tables, work, state, 1, side_force(work.inputs, 1), height)
+    balance_side(right_tables, work, state, 1, side_force(work, 1), height)
     return 0
 
 
@@ -185,6 +187,29 @@ def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, stat
 def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
     left it. 1 where the rates are not defined (``follow_elastic``), else 0."""
+    outcome = follow_wheelset(left_tables, right_tables, work, state)
+    if carries_friction(right_tables, work) == 1:
+        for i in range(LOAD_RATES):
+            follow_load(work)
+            outcome = follow_wheelset(left_tables, right_tables, work, state)
+    omit_outputs(right_tables, work)
+    return outcome
+
+
+def follow_load(work: Work):
+    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken to
+    grow as the load, and what is left of its rate after one turn is put right in the next."""
+    for index in range(2):
+        support = work.supports[index]
+        share = carried_share(work, index)
+        support.friction_load = seeded(support.friction_load, rate_of(support.friction_load)
+                                       - held(support.friction_load) * rate_of(share) / held(share))
+    return 0
+
+
+def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+    """Contact of both wheels, resultant, creepages and creep forces with their rates; 1 where the rates are not
+    defined, else 0."""
     mode = right_tables.mode
     outcome = 0
     if mode == MODE_RIGID:
@@ -203,5 +228,6 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: 
                     work.supports[1].resultant)
     if is_rolling(work.inputs) == 1:
         write_creepages(left_tables, right_tables, work, state)
-    omit_outputs(right_tables, work)
+    if has_creep_forces(right_tables, work) == 1:
+        write_creep_forces(left_tables, right_tables, work)
     return outcome

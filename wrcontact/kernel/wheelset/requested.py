@@ -6,6 +6,7 @@ from math import fabs, isfinite
 from ..layout import (
     DEPTH_GEOMETRY,
     DEPTH_PATCHES,
+    FRICTION_LIMIT,
     INPUT_COUNT,
     INVALID_INPUT,
     MODE_COMPLIANT,
@@ -25,6 +26,7 @@ from ..layout import (
     Work,
 )
 from ..motion.wheelset_motion import is_moderate
+from .friction import is_frictional
 from .outlines import fill_apart
 
 
@@ -41,6 +43,10 @@ def check_inputs(tables: Tables, inputs: Inputs):
     if inputs.normal_force < 0.0 or fabs(inputs.load_transfer) > 1.0:
         status = INVALID_INPUT
     if is_moderate(inputs) == 0:
+        status = INVALID_INPUT
+    if is_frictional(inputs.left_friction, FRICTION_LIMIT) == 0:
+        status = INVALID_INPUT
+    if is_frictional(inputs.right_friction, FRICTION_LIMIT) == 0:
         status = INVALID_INPUT
     for i in range(INPUT_COUNT):
         if not isfinite(inputs[i]):
@@ -60,10 +66,12 @@ def is_rail_far(inputs: Inputs):
     return far
 
 
-def side_force(inputs: Inputs, index: int):
-    """The prescribed force of side ``index`` [N], with load transfer."""
+def side_force(work: Work, index: int):
+    """The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what is
+    left to the normal forces (friction_load.py)."""
     sign = float(2 * index - 1)
-    return inputs.normal_force * (1.0 + sign * inputs.load_transfer)
+    return (work.inputs.normal_force * (1.0 + sign * work.inputs.load_transfer)
+            * work.supports[index].friction_load)
 
 
 def is_requested(tables: Tables, index: int):
@@ -97,6 +105,9 @@ def omit_outputs(tables: Tables, work: Work):
         for i in range(3):
             work.outputs.force[i] = tables.absent
             work.outputs.moment[i] = tables.absent
+            work.outputs.normal_part[i] = tables.absent
+            work.outputs.normal_moment[i] = tables.absent
+        work.outputs.driving_torque = tables.absent
     return 0
 
 

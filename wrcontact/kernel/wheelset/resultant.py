@@ -155,4 +155,11 @@ def write_resultant(tables: Tables, inputs: Inputs, outputs: Outputs, left: Resu
     for index in range(2):
         side = outputs.left[index]
         side.moment[0] -= y * side.force[2] - z * side.force[1]
+        for i in range(3):
+            side.normal_part[i] = side.force[i]
+            side.normal_moment[i] = side.moment[i]
+    for i in range(3):
+        outputs.normal_part[i] = outputs.force[i]
+        outputs.normal_moment[i] = outputs.moment[i]
+    outputs.driving_torque = 0.0
     return 0

@@ -74,9 +74,9 @@ def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: St
     for index in range(2):
         clear_resultant(work.supports[index].resultant)
     if is_requested(right_tables, 0) == 1:
-        status = solve_side(left_tables, work, state, 0, side_force(work.inputs, 0))
+        status = solve_side(left_tables, work, state, 0, side_force(work, 0))
     if is_requested(right_tables, 1) == 1:
-        outcome = solve_side(right_tables, work, state, 1, side_force(work.inputs, 1))
+        outcome = solve_side(right_tables, work, state, 1, side_force(work, 1))
         if outcome > status:
             status = outcome
     return status

@@ -2,7 +2,8 @@
 
 The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
 solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
-their loads; add up the forces.
+their loads; add up the forces. If the wheelset rolls, creepages follow, and from them the creep forces; where
+the load is a vertical one, friction carries some of it, and the wheelset is solved again.
 """
 
 from ..layout import (
@@ -23,7 +24,9 @@ from ..layout import (
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
+from .creep_forces import has_creep_forces, write_creep_forces
 from .elastic import solve_elastic
+from .friction_load import LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
 from .leaning import (
     ELASTIC_MET,
     MEETINGS,
@@ -45,6 +48,29 @@ def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State
     status = check_inputs(right_tables, work.inputs)
     if status != VALID:
         return status
+    release_friction(work)
+    status = solve_wheelset(left_tables, right_tables, work, state)
+    if status <= UNLOADED and carries_friction(right_tables, work) == 1:
+        status = solve_with_friction(left_tables, right_tables, work, state, status)
+    if status <= UNLOADED:
+        omit_outputs(right_tables, work)
+    return status
+
+
+def solve_with_friction(left_tables: Tables, right_tables: Tables, work: Work, state: State, status: int):
+    """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status."""
+    outcome = status
+    for i in range(LOAD_PASSES):
+        if outcome > UNLOADED or is_load_met(work) == 1:
+            break
+        share_load(work)
+        outcome = solve_wheelset(left_tables, right_tables, work, state)
+    return outcome
+
+
+def solve_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+    """Contact of both wheels, resultant, creepages and creep forces; the status."""
+    status = VALID
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
@@ -64,7 +90,8 @@ def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State
                     work.supports[1].resultant)
     if is_rolling(work.inputs) == 1:
         write_creepages(left_tables, right_tables, work, state)
-    omit_outputs(right_tables, work)
+    if has_creep_forces(right_tables, work) == 1:
+        write_creep_forces(left_tables, right_tables, work)
     return status
 
 
@@ -72,7 +99,7 @@ def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, st
                        rigid_roll: float):
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
     roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
-                                 side_force(work.inputs, 0), side_force(work.inputs, 1))
+                                 side_force(work, 0), side_force(work, 1))
     if status <= UNLOADED and is_leaning(work.sides) == 1:
         roll, status = meet_leaning(left_tables, right_tables, work, state, rigid_roll)
     work.outputs.roll = roll
@@ -97,7 +124,7 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: S
         if turn_to(left_tables, right_tables, work, state, rigid_roll) == 0:
             return roll, OFF_PROFILE
         roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
-                                     side_force(work.inputs, 0), side_force(work.inputs, 1))
+                                     side_force(work, 0), side_force(work, 1))
         if status > UNLOADED:
             return roll, status
         if note_reference(work.reference, height, support_height(work), ELASTIC_MET) == 1:

@@ -1,0 +1,259 @@
+"""Creep forces of the wheelset: what they add to forces and moments, powers, and the wheelset's symmetries.
+
+Witness: vectors in numpy from the outputs of each patch, for whatever model has found them.
+"""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.mirror import side_signs
+from wrcontact.interface.outputs import SIDES
+from wrcontact.kernel import layout
+
+MODELS = ("polach",)
+POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.05}
+POSES = {
+    "tread": {"lateral_shift": 1e-3, "yaw": 1e-3, "speed": 20.0},
+    "moving": POSE,
+    "flange root": {**POSE, "lateral_shift": 6.2e-3, "yaw": 0.01},
+    "flange": {**POSE, "lateral_shift": 8e-3, "yaw": -0.01},
+    "braking": {**POSE, "wheel_rate": 20.0 / 0.46 * 0.97},
+    "locked": {**POSE, "wheel_rate": 0.0, "free_rolling": False},
+    "backwards": {**POSE, "speed": -20.0},
+    "curve": {**POSE, "track_curvature": 1 / 300},
+}
+_SYSTEMS = {}
+
+
+def system(**parameters):
+    """A contact system, kept."""
+    key = tuple(sorted(parameters.items()))
+    if key not in _SYSTEMS:
+        _SYSTEMS[key] = wrcontact.ContactSystem(**parameters)
+    return _SYSTEMS[key]
+
+
+def compliant(inputs):
+    """The inputs with the height and roll of a compliant wheelset that carries the usual load."""
+    found = system(contact_mode="elastic").evaluate(**inputs)
+    return inputs | {"vertical_shift_input": found.vertical_shift, "roll_input": found.roll}
+
+
+def cross_sum(state):
+    """Force, moment about the wheelset's centre (6,) and torque about the axle of the creep forces of each
+    side, and their power, from the outputs of the patches."""
+    found = {}
+    yaw, roll = state["yaw"], state.roll
+    axle = np.array([-np.sin(yaw) * np.cos(roll), np.cos(yaw) * np.cos(roll), np.sin(roll)])
+    centre = np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46])
+    for mirror, name in zip((-1.0, 1.0), SIDES):
+        total, torque, power = np.zeros(6), 0.0, 0.0
+        for patch in getattr(state, name).patches:
+            sine, cosine = np.sin(patch.contact_angle), np.cos(patch.contact_angle)
+            outside = np.array([0.0, mirror * cosine, -sine])        # to the field side, in the patch's plane
+            normal = np.array([0.0, -mirror * sine, -cosine])        # from the rail to the wheel
+            force = patch.tangential.x * np.array([1.0, 0, 0]) + patch.tangential.y * outside
+            arm = np.array([patch.x_track, patch.y_track, patch.z_track]) - centre
+            moment = np.cross(arm, force) + patch.tangential.moment * normal
+            total += np.concatenate([force, moment])
+            torque -= moment @ axle
+            power += patch.friction_power
+        found[name] = total, torque, power
+    return found
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+@pytest.mark.parametrize("pose", POSES)
+def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
+    inputs = compliant(POSES[pose]) if mode == "compliant" else POSES[pose]
+    for model in MODELS:
+        state = system(contact_mode=mode, tangential_model=model).evaluate(**inputs)
+        assert state.status == 0
+        sides = cross_sum(state)
+        total, torque = np.zeros(6), 0.0
+        for name, (expected, part, power) in sides.items():
+            side = getattr(state, name)
+            added = np.concatenate([np.subtract(side.force, side.normal.force),
+                                    np.subtract(side.moment, side.normal.moment)])
+            np.testing.assert_allclose(added, expected, rtol=0, atol=1e-6)     # N, N m: rounding of 1e5
+            assert side.friction_power == pytest.approx(power, rel=1e-12, abs=1e-9)
+            assert np.hypot(expected[0], np.hypot(*expected[1:3])) > 100.0, "no creep force to speak of"
+            total, torque = total + expected, torque + part
+        np.testing.assert_allclose(np.subtract(state.force, state.normal.force), total[:3], atol=1e-6)
+        np.testing.assert_allclose(np.subtract(state.moment, state.normal.moment), total[3:], atol=1e-6)
+        assert state.driving_torque == pytest.approx(torque, abs=1e-6)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("pose", POSES)
+def test_numbers_of_a_patch(pose, model):
+    """Force at most mu N, saturation, power against the velocities, and the wear number."""
+    state = system(tangential_model=model).evaluate(**POSES[pose], left_friction=0.2, right_friction=0.4)
+    for side, friction in ((state.left, 0.2), (state.right, 0.4)):
+        wear = 0.0
+        for patch in side.patches:
+            force = np.hypot(patch.tangential.x, patch.tangential.y)
+            limit = friction * patch.normal_force
+            assert force <= limit * (1 + 1e-12)
+            assert patch.saturation == pytest.approx(force / limit, rel=1e-12)
+            assert 0.0 <= patch.stick_share <= 1.0
+            assert patch.max_shear <= friction * patch.max_pressure * (1 + 0.05)
+            assert patch.friction_power >= 0.0
+            wear += (abs(patch.tangential.x * patch.creepage.x)
+                     + abs(patch.tangential.y * patch.creepage.y))
+        assert side.wear_number == pytest.approx(wear, rel=1e-12)
+
+
+@pytest.mark.parametrize("pose", ["moving", "flange", "curve", "braking"])
+def test_power_is_that_of_the_wheelset(pose):
+    """What friction takes is the work of the creep forces on the wheel's body: force times velocity of the
+    centre, moment times rotation, and torque times wheel rate."""
+    inputs = compliant(POSES[pose]) | {"vertical_velocity": 0.013, "roll_rate": -0.02}
+    state = system(contact_mode="compliant", tangential_model=MODELS[-1]).evaluate(**inputs)
+    creep = np.subtract(state.force, state.normal.force), np.subtract(state.moment, state.normal.moment)
+    curvature = inputs.get("track_curvature", 0.0)
+    rate = inputs.get("wheel_rate") or inputs["speed"] / 0.46
+    centre = np.array([inputs["speed"] * (1 - curvature * inputs["lateral_shift"]),
+                       inputs["lateral_velocity"], inputs["vertical_velocity"]])
+    yaw = inputs["yaw"]
+    turning = np.array([inputs["roll_rate"] * np.cos(yaw), inputs["roll_rate"] * np.sin(yaw),
+                        inputs["yaw_rate"] + inputs["speed"] * curvature])
+    # the wheel's circumference has the radius of its profile, not the distance from the axle
+    power = creep[0] @ centre + creep[1] @ turning
+    total = state.left.friction_power + state.right.friction_power
+    rolled = sum(-patch_rolling(state, side, patch, rate) for side in (state.left, state.right)
+                 for patch in side.patches)
+    assert total == pytest.approx(-(power + rolled), rel=1e-9)
+
+
+def patch_rolling(state, side, patch, rate):
+    """Power of a patch's creep force against the rotation of the wheel about its axle."""
+    mirror = 1.0 if side.contact.y_track > 0 else -1.0
+    yaw, roll = state["yaw"], state.roll
+    axle = np.array([-np.sin(yaw) * np.cos(roll), np.cos(yaw) * np.cos(roll), np.sin(roll)])
+    arm = (np.array([patch.x_track, patch.y_track, patch.z_track])
+           - [0.0, state["lateral_shift"], state.vertical_shift - 0.46])
+    around = np.cross(axle, arm)
+    velocity = rate * patch.rolling_radius / np.linalg.norm(around) * around
+    sine, cosine = np.sin(patch.contact_angle), np.cos(patch.contact_angle)
+    force = np.array([patch.tangential.x, mirror * cosine * patch.tangential.y, -sine * patch.tangential.y])
+    normal = np.array([0.0, -mirror * sine, -cosine])
+    return force @ velocity + patch.tangential.moment * (normal @ axle) * rate
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+@pytest.mark.parametrize("model", MODELS)
+def test_mirror(model, mode):
+    """A wheelset in the mirror has the mirrored outputs."""
+    contact = system(contact_mode=mode, tangential_model=model)
+    inputs = POSES["moving"] | {"track_curvature": 1 / 500}
+    mirrored = {name: -value if name in ("lateral_shift", "yaw", "lateral_velocity", "yaw_rate",
+                                         "track_curvature") else value for name, value in inputs.items()}
+    one = contact.evaluate(**inputs, left_friction=0.25, right_friction=0.35)
+    other = contact.evaluate(**mirrored, left_friction=0.35, right_friction=0.25)
+    signs = side_signs()
+    left, right = one.values[layout.OUT_LEFT:][:layout.SIDE_SIZE], other.values[layout.OUT_RIGHT:]
+    np.testing.assert_allclose(left, signs * right[:layout.SIDE_SIZE], rtol=1e-9, atol=1e-9)
+    assert one.driving_torque == pytest.approx(other.driving_torque, rel=1e-9)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_standstill_and_no_friction(model):
+    """A wheelset that stands, or has no friction, has the forces of the pressures alone."""
+    contact = system(tangential_model=model)
+    plain = system().evaluate(**POSE)
+    for inputs in ({name: value for name, value in POSE.items() if name != "speed"},
+                   POSE | {"left_friction": 0.0, "right_friction": 0.0}):
+        state = contact.evaluate(**inputs)
+        np.testing.assert_array_equal(state.force, plain.force)
+        np.testing.assert_array_equal(state.moment, plain.moment)
+        for side in (state.left, state.right):
+            patch = side.patches[0]
+            assert (patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number) == (0, 0, 0, 0)
+        assert state.driving_torque == 0.0
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_sliding_wheels_have_the_whole_friction(model):
+    """Locked wheels at a high speed: mu N against the motion."""
+    state = system(tangential_model=model).evaluate(speed=20.0, free_rolling=False)
+    for side in (state.left, state.right):
+        patch = side.patches[0]
+        assert patch.tangential.x == pytest.approx(-0.3 * patch.normal_force, rel=1e-3)
+
+
+def test_lifted_wheel_and_one_side():
+    contact = system(tangential_model=MODELS[-1])
+    state = contact.evaluate(**POSE, load_transfer=1.0)
+    assert state.status == 1
+    assert np.all(np.isfinite(state.values))
+    assert state.left.friction_power == 0.0
+    one = contact.evaluate(**POSE, side="right")
+    both = contact.evaluate(**POSE)
+    np.testing.assert_array_equal(one.values[layout.OUT_RIGHT:], both.values[layout.OUT_RIGHT:])
+    assert np.isnan(one.driving_torque)
+
+
+@pytest.mark.parametrize("friction", [-1e-9, 2.0001, np.nan, np.inf])
+def test_friction_out_of_range(friction):
+    state = system(tangential_model=MODELS[-1]).evaluate(**POSE, right_friction=friction)
+    assert state.status == wrcontact.Status.INVALID_INPUT
+    sentence = wrcontact.status.explain(state.status, state.inputs)
+    assert "right.friction" in sentence and "permitted" in sentence
+    if np.isfinite(friction):
+        assert "0 <= right.friction <= 2" in sentence
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+@pytest.mark.parametrize("pose", ["moving", "flange root", "flange", "backwards"])
+def test_vertical_load_includes_friction(pose, mode):
+    """Each wheel's whole force has the vertical component that is prescribed, to LOAD_MET."""
+    contact = system(contact_mode=mode, load="vertical", tangential_model=MODELS[-1])
+    state = contact.evaluate(**POSES[pose], normal_force=80e3, load_transfer=0.2)
+    assert -state.left.force.z == pytest.approx(64e3, rel=1e-4)
+    assert -state.right.force.z == pytest.approx(96e3, rel=1e-4)
+    assert abs(state.right.normal.force.z + 96e3) > 30.0, "friction carries nothing here"
+
+
+def test_falling_friction():
+    """Polach's form, with the sliding velocity V sqrt(xi^2 + eta^2), where all slides."""
+    fall = {"friction_fall": 0.4, "friction_fall_rate": 0.6}
+    state = system(tangential_model=MODELS[-1], **fall).evaluate(speed=10.0, free_rolling=False)
+    patch = state.right.patches[0]
+    sliding = 0.5 * 10.0 * np.hypot(patch.creepage.x, patch.creepage.y)
+    expected = 0.3 * (0.6 * np.exp(-0.6 * sliding) + 0.4)
+    assert sliding == pytest.approx(10.0, rel=1e-6)
+    assert np.hypot(patch.tangential.x, patch.tangential.y) == pytest.approx(
+        expected * patch.normal_force, rel=1e-3)
+
+
+def test_flange_lubrication():
+    """Full friction on the tread, the given share on the flange."""
+    lubricated = system(tangential_model="polach", flange_friction_ratio=0.3)
+    plain = system(tangential_model="polach")
+    sliding = {"speed": 20.0, "free_rolling": False}
+    tread = [contact.evaluate(**sliding).right.patches[0] for contact in (lubricated, plain)]
+    assert tread[0].tangential.x == tread[1].tangential.x
+    found, full = (contact.evaluate(lateral_shift=9e-3, **sliding).right.patches[0]
+                   for contact in (lubricated, plain))
+    assert full.contact_angle > 0.8
+    assert found.tangential.x == pytest.approx(0.3 * full.tangential.x, rel=1e-3)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_slope_reduction(model):
+    """k0 alone divides the slope at small creepage; with beta it falls further, and full slip stays."""
+    small = {"speed": 20.0, "wheel_rate": 20.0 / 0.46 * (1 + 2e-6), "lateral_shift": 0.0}
+    full, reduced = (system(tangential_model=model, **reduction).evaluate(**small)
+                     for reduction in ({}, {"slope_reduction": 0.5}))
+    # longitudinal slopes as differences of two wheel rates: lateral forces of spin are reduced too
+    more = small | {"wheel_rate": 20.0 / 0.46 * (1 + 6e-6)}
+    slopes = [system(tangential_model=model, **reduction).evaluate(**more).right.force.x - at.right.force.x
+              for at, reduction in ((full, {}), (reduced, {"slope_reduction": 0.5}))]
+    assert slopes[1] / slopes[0] == pytest.approx(0.5, rel=0.03)
+    wet = {"slope_reduction": 0.54, "slope_reduction_rate": 0.64}
+    forces = [-system(tangential_model=model, **wet).evaluate(
+        speed=20.0, wheel_rate=20.0 / 0.46 * (1 - creepage)).right.force.x for creepage in (0.003, 0.05, 0.5)]
+    assert forces[0] < forces[1] < forces[2]
+    assert forces[2] == pytest.approx(0.3 * 78500, rel=0.05)

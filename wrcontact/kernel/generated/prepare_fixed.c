@@ -1,0 +1,77 @@
+/* Generated from prepare/fixed.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tables that do not depend on the profiles, from the array ``fixed`` (binding/fixed_tables.py).
+ *
+ * It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for each of three
+ * Poisson's ratios.  The tables follow one after the other.
+ */
+
+#include "prepare_fixed.h"
+
+/* Where table ``index`` begins. */
+static inline int64_t prepare_fixed__fixed_table(array_double_1d fixed, int64_t index)
+{
+    int64_t i;
+    int64_t at;
+    at = prepare_fixed__FIXED_COUNT;
+    for (i = INT64_C(0); i < index; i += INT64_C(1))
+    {
+        at += (int64_t)((*cspan_at(&fixed, i)));
+    }
+    return at;
+}
+
+/* Copy table ``index`` to ``at``; the offset after it, or FULL. */
+static inline int64_t prepare_fixed__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index)
+{
+    int64_t size;
+    int64_t first;
+    int64_t i;
+    size = (int64_t)((*cspan_at(&fixed, index)));
+    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    first = prepare_fixed__fixed_table(fixed, index);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, at + i)) = (*cspan_at(&fixed, first + i));
+    }
+    return at + size;
+}
+
+/* Weights of the values at three nodes in the parabola through them at ``x``. */
+static inline int64_t prepare_fixed__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x)
+{
+    (*result_0) = (x - middle) * (x - high) / ((low - middle) * (low - high));
+    (*result_1) = (x - low) * (x - high) / ((middle - low) * (middle - high));
+    (*result_2) = (x - low) * (x - middle) / ((high - low) * (high - middle));
+    return 0;
+}
+
+/* The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
+ * after it, or FULL.
+ */
+static inline int64_t prepare_fixed__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio)
+{
+    int64_t first;
+    int64_t size;
+    double low;
+    double middle;
+    double high;
+    int64_t shapes;
+    int64_t i;
+    if (at + layout__ROLLING_TABLE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    first = prepare_fixed__fixed_table(fixed, prepare_fixed__FIXED_ROLLING);
+    size = layout__SHAPE_ROW * layout__SHAPE_CELLS;
+    prepare_fixed__parabola_weights(&low, &middle, &high, prepare_fixed__LOW_RATIO, prepare_fixed__MIDDLE_RATIO, prepare_fixed__HIGH_RATIO, poisson_ratio);
+    shapes = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SHAPES;
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, shapes + i)) = low * (*cspan_at(&fixed, first + i)) + middle * (*cspan_at(&fixed, first + size + i)) + high * (*cspan_at(&fixed, first + INT64_C(2) * size + i));
+    }
+    return at + layout__ROLLING_TABLE_SIZE;
+}

@@ -1,0 +1,15 @@
+/* Generated from tangent_tangential_contact.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of tangential_contact.py.
+ */
+
+#ifndef WRCONTACT_KERNEL_TANGENT_TANGENTIAL_CONTACT_H
+#define WRCONTACT_KERNEL_TANGENT_TANGENTIAL_CONTACT_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "tangent_polach.h"
+
+static inline int64_t tangent_tangential_contact__solve_tangential_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rolling);
+
+#endif
