@@ -165,7 +165,7 @@ class Loop:
 
     @staticmethod
     def _put(unit, values):
-        unit.ports(values).write(values.values())
+        unit.ports(values).write(list(values.values()))
 
     def derivatives(self):
         """Of the contact's forces (6,) by the motion (9,), at its present inputs: (6, 9)."""

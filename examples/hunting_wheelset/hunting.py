@@ -87,7 +87,7 @@ def klingel(archives, system, speed, start, waves=2.5, **coupling):
     """Measured wavelength, its amplitude, and Klingel's wavelengths with and without roll [m]; and the run."""
     curve = rolling(system, 1.6 * start)
     duration = waves * curve.wavelength(start) / speed
-    rails = {"rail_inclination": system.track.rail_inclination}
+    rails = {"rail_inclination": system.parameters["rail_inclination"]}
     with Loop(archives, {"frame_speed": speed, "start_lateral_shift": start}, CONTACT | rails,
               seen=("distance",)) as loop:
         run = loop.run(duration, STEP, **coupling)

@@ -4,7 +4,7 @@ PythonFMU executes this file for every instance, so that it needs nothing but nu
 frame runs along the middle of the track with a constant speed.  The wheelset moves across the track and down,
 rolls and yaws, and turns about its axle; it has the frames and signs of docs/conventions.md:
 
-    m (y'' + V^2 k)            = F_y - K_y y - D_y y'
+    m (y'' + (1 - c) V^2 k)    = F_y - K_y y - D_y y'
     m z''                      = F_z + W - K_z (z - z_0) - D_z z'
     I_x q'' + I_y w_0 (p' + V k) = M_x cos p + M_y sin p - K_x q - D_x q'
     I_z (p'' + V k')  - I_y w_0 q' = M_z - K_p p - D_p p'
@@ -12,7 +12,7 @@ rolls and yaws, and turns about its axle; it has the frames and signs of docs/co
 
 y, z, q, p are lateral shift, vertical shift, roll and yaw, w the rotation about the axle, w_0 = V / r_0, k
 the track's curvature, W the load of the frame and the weight.  F, M and T are the forces, moments about the
-centre and the driving torque of the contact.  The track is canted by nothing.
+centre and the driving torque of the contact, c the share of the centrifugal force that the cant balances.
 
 A step is one of two:
 
@@ -63,6 +63,7 @@ PARAMETERS = {
     "start_wheel_rate": (0.0, "rad/s", "rotation about the axle at the start; 0: frame_speed / nominal_radius"),
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
+    "canted": (1.0, "1", "share of the centrifugal force that the cant balances, of the wheelset and the frame"),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
 }
 
@@ -139,6 +140,7 @@ class Wheelset(Fmi2Slave):
         self.stiffness, self.damping = springs("stiffness"), springs("damping")
         self.inertia = np.array([p["mass"], p["mass"], p["inertia_roll"], p["inertia_yaw"],
                                  p["inertia_pitch"]])
+        self.thrown = (1.0 - p["canted"]) * p["mass"] * p["frame_speed"] ** 2
         self.rolling = p["start_wheel_rate"] or p["frame_speed"] / p["nominal_radius"]
         self.gyroscopic = p["inertia_pitch"] * p["frame_speed"] / p["nominal_radius"]
         self.place = np.array([p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"],
@@ -170,7 +172,7 @@ class Wheelset(Fmi2Slave):
                           f["moment.x"] * math.cos(turn) + f["moment.y"] * math.sin(turn),
                           f["moment.z"], f["driving_torque"]])
         force[:4] -= self.stiffness * (self.place - self.rest) + self.damping * self.rate[:4]
-        force[0] -= p["mass"] * v * v * bend
+        force[0] -= self.thrown * bend
         force[2] -= self.gyroscopic * (self.rate[3] + v * bend)
         force[3] += self.gyroscopic * self.rate[2] - p["inertia_yaw"] * v * v * grows
         return force / self.inertia
@@ -213,7 +215,7 @@ class Wheelset(Fmi2Slave):
         energy = 0.5 * float(self.inertia @ self.rate**2 + self.stiffness @ stretched**2)
         rate = self.rate
         # what is no contact's and no energy's: load, dampers, and the turning frame of a curve
-        supply = (p["load"] * rate[1] - float(self.damping @ rate[:4]**2) - p["mass"] * v * v * bend * rate[0]
+        supply = (p["load"] * rate[1] - float(self.damping @ rate[:4]**2) - self.thrown * bend * rate[0]
                   - self.gyroscopic * v * bend * rate[2] - p["inertia_yaw"] * v * v * grows * rate[3])
         return values | {"speed": v, "track_curvature": bend, "distance": self.distance, "energy": energy,
                          "supply": float(supply)}
