@@ -18,13 +18,13 @@ from wrcontact.plots.style import INK, MM, QUIET, SIDE_COLOUR, save
 from .coupling import CONTACT, Loop, build
 from .wheelset import CONTACT_INPUTS, Wheelset
 
-SPEED, RADIUS_OF_CURVE = 15.0, 300.0            # [m/s], [m]
+SPEED, RADIUS_OF_CURVE = 12.0, 150.0            # [m/s], [m]
 WHEELSET = {"frame_speed": SPEED, "curve_curvature": 1 / RADIUS_OF_CURVE, "curve_start": 5.0,
-            "transition_length": 25.0, "longitudinal_stiffness": 8e6, "lateral_stiffness": 1e6,
-            "lateral_damping": 2e4, "longitudinal_damping": 2e4, "canted": 1.0}
+            "transition_length": 20.0, "longitudinal_stiffness": 8e6, "lateral_stiffness": 1e5,
+            "lateral_damping": 2e4, "longitudinal_damping": 2e4, "half_wheelbase": 1.25}
 DURATION, STEP = 4.0, 1e-4                      # [s]
 SEEN = ("distance", "track_curvature", *(f"{side}.{name}" for side in ("left", "right")
-                                         for name in ("force.y", "force.z", "friction_power")))
+                                         for name in ("force.y", "force.z", "contact_angle", "friction_power")))
 
 
 def enter(archives, wheelset=WHEELSET, contact=None, duration=DURATION, every=10):

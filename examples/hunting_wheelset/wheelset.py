@@ -7,12 +7,13 @@ rolls and yaws, and turns about its axle; it has the frames and signs of docs/co
     m (y'' + (1 - c) V^2 k)    = F_y - K_y y - D_y y'
     m z''                      = F_z + W - K_z (z - z_0) - D_z z'
     I_x q'' + I_y w_0 (p' + V k) = M_x cos p + M_y sin p - K_x q - D_x q'
-    I_z (p'' + V k')  - I_y w_0 q' = M_z - K_p p - D_p p'
+    I_z (p'' + V k')  - I_y w_0 q' = M_z - K_p (p + l k) - D_p (p' + l k')
     I_y w'                     = T
 
 y, z, q, p are lateral shift, vertical shift, roll and yaw, w the rotation about the axle, w_0 = V / r_0, k
 the track's curvature, W the load of the frame and the weight.  F, M and T are the forces, moments about the
-centre and the driving torque of the contact, c the share of the centrifugal force that the cant balances.
+centre and the driving torque of the contact, c the
+share of the centrifugal force that the cant balances, l the wheelset's way ahead of the frame's middle.
 
 A step is one of two:
 
@@ -64,6 +65,8 @@ PARAMETERS = {
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
     "canted": (1.0, "1", "share of the centrifugal force that the cant balances, of the wheelset and the frame"),
+    "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a chord of "
+                       "the curve"),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
 }
 
@@ -145,7 +148,6 @@ class Wheelset(Fmi2Slave):
         self.gyroscopic = p["inertia_pitch"] * p["frame_speed"] / p["nominal_radius"]
         self.place = np.array([p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"],
                                p["start_yaw"]])
-        self.rest = np.array([0.0, p["start_vertical_shift"], 0.0, 0.0])
         self.rate = np.array([p["start_lateral_velocity"], 0.0, 0.0, 0.0, self.rolling])
         self.distance = 0.0
 
@@ -162,6 +164,15 @@ class Wheelset(Fmi2Slave):
         grows = p["curve_curvature"] / p["transition_length"] if 0.0 <= share < 1.0 else 0.0
         return p["curve_curvature"] * min(max(share, 0.0), 1.0), grows
 
+    def frame(self, distance):
+        """Where the frame would have the wheelset (4,), and how fast this changes (4,)."""
+        p = self.parameters
+        bend, grows = self.curvature(distance)
+        place, rate = np.zeros(4), np.zeros(4)
+        place[1], place[3] = p["start_vertical_shift"], -p["half_wheelbase"] * bend
+        rate[3] = -p["half_wheelbase"] * grows * p["frame_speed"]
+        return place, rate
+
     def accelerations(self, distance):
         """Accelerations (5,) in the present state, with the contact's forces as they are."""
         p, f = self.parameters, self.forces
@@ -171,7 +182,8 @@ class Wheelset(Fmi2Slave):
         force = np.array([f["force.y"], f["force.z"] + p["load"],
                           f["moment.x"] * math.cos(turn) + f["moment.y"] * math.sin(turn),
                           f["moment.z"], f["driving_torque"]])
-        force[:4] -= self.stiffness * (self.place - self.rest) + self.damping * self.rate[:4]
+        rest, moving = self.frame(distance)
+        force[:4] -= self.stiffness * (self.place - rest) + self.damping * (self.rate[:4] - moving)
         force[0] -= self.thrown * bend
         force[2] -= self.gyroscopic * (self.rate[3] + v * bend)
         force[3] += self.gyroscopic * self.rate[2] - p["inertia_yaw"] * v * v * grows
@@ -211,11 +223,12 @@ class Wheelset(Fmi2Slave):
         values = dict(zip(MOTION, (*self.place.tolist(), *self.rate.tolist())))
         p, v = self.parameters, self.parameters["frame_speed"]
         bend, grows = self.curvature(self.distance)
-        stretched = self.place - self.rest
-        energy = 0.5 * float(self.inertia @ self.rate**2 + self.stiffness @ stretched**2)
-        rate = self.rate
-        # what is no contact's and no energy's: load, dampers, and the turning frame of a curve
-        supply = (p["load"] * rate[1] - float(self.damping @ rate[:4]**2) - self.thrown * bend * rate[0]
+        rest, moving = self.frame(self.distance)
+        stretched, rate = self.place - rest, self.rate
+        energy = 0.5 * float(self.inertia @ rate**2 + self.stiffness @ stretched**2)
+        # what is no contact's and no energy's: load, dampers, and the frame that turns in a curve
+        supply = (p["load"] * rate[1] - float(self.damping @ ((rate[:4] - moving) * rate[:4]))
+                  - float(self.stiffness @ (stretched * moving)) - self.thrown * bend * rate[0]
                   - self.gyroscopic * v * bend * rate[2] - p["inertia_yaw"] * v * v * grows * rate[3])
         return values | {"speed": v, "track_curvature": bend, "distance": self.distance, "energy": energy,
                          "supply": float(supply)}
