@@ -103,6 +103,10 @@ SIDE = (
         "point to the field side"),
     Run("half_length", "m", 1e-2, "half the length of the patch in rolling direction at the station", 0.0),
     Run("pressure", "Pa", 1e9, "contact pressure on the centre line of the patch at the station", 0.0),
+    Run("shear", "Pa", 1e8, "creep force per area, mean over the length of the patch at the station", 0.0,
+        follows=ANSWERED),
+    Run("slip", "m/s", 0.01, "sliding velocity at the station, such that shear times slip is the friction power "
+        "per area", 0.0, follows=ANSWERED),
 )
 
 #: Outputs of the wheelset, ahead of those of the left and then the right wheel.

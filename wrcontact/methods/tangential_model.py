@@ -1,13 +1,19 @@
 """How creep forces follow from a solved patch and its creepages."""
 
 from .method import Method
-from .numbers import frozen
+from .numbers import frozen, whole
 
 
 class TangentialModel(Method):
     """How tractions and creep forces follow from a solved patch, its creepages and its friction."""
 
     parameter = "tangential_model"
+
+
+def published_spin():
+    """The field ``published_spin``."""
+    return whole(0, 0, 1, "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and FaStrip "
+                 "were published; 0: that of longitudinal creepage, which is closer to the complete theory")
 
 
 @frozen
@@ -37,6 +43,8 @@ class Fastsim(TangentialModel):
     kernel_number = 2
     words = "Kalker's simplified theory, FASTSIM"
 
+    published_spin: int = published_spin()
+
 
 @frozen
 class Fastrip(TangentialModel):
@@ -45,6 +53,8 @@ class Fastrip(TangentialModel):
     name = "fastrip"
     kernel_number = 3
     words = "strip theory with FASTSIM, FaStrip"
+
+    published_spin: int = published_spin()
 
 
 @frozen

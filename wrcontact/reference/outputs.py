@@ -117,7 +117,7 @@ def write_outline(outline, contact, lengths, low, high):
     half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
     pressure = np.sqrt(np.interp(station, contact.s, contact.pressure.max(axis=0) ** 2))
     half[[0, -1]] = pressure[[0, -1]] = 0.0
-    outline[:] = station, half, pressure
+    outline[:3] = station, half, pressure
 
 
 def _station(contact, place):

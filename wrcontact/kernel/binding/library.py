@@ -114,6 +114,23 @@ class Kernel:
             source.write_methods(Setup.at(setup), Tables.at(tables))
 
 
+    def cut_patch(self, workspace, index=0):
+        """Cut solved patch ``index`` of the workspace (n,) into the strips of its rolling patch."""
+        if self.compiled:
+            self.library.wrcontact_cut_patch(span(workspace), index)
+            return
+        work = Work.at(workspace)
+        import_module("..tangential.sections", __package__).cut_patch(work.contact.solved, index, work.rolling)
+
+    def solve_tangential(self, tables, workspace):
+        """The creep force of the rolling patch in the workspace (n,), by the model of the tables (n,)."""
+        if self.compiled:
+            self.library.wrcontact_solve_tangential(span(tables), span(workspace))
+            return
+        source = import_module("..tangential.tangential_contact", __package__)
+        source.solve_tangential(Tables.at(tables), Work.at(workspace).rolling)
+
+
 def fill_starts(source, left, right, equal):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
@@ -227,6 +244,9 @@ def declare(library):
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
     library.wrcontact_complete.argtypes, library.wrcontact_complete.restype = [Span] * 3 + [address], None
+    library.wrcontact_cut_patch.argtypes = [Span, ctypes.c_int64]
+    library.wrcontact_solve_tangential.argtypes = [Span] * 2
+    library.wrcontact_cut_patch.restype = library.wrcontact_solve_tangential.restype = None
     library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int
     library.wrcontact_tangent_room.argtypes, library.wrcontact_tangent_room.restype = [], ctypes.c_int64
 

@@ -26,7 +26,9 @@ def cubics(function):
 
 @lru_cache(maxsize=1)
 def rolling_table():
-    """The table as the kernel's preparation reads it (n,): the shapes for POISSON_NODES."""
+    """The table as the kernel's preparation reads it (n,): cosines and sines of the points of a strip, then
+    the shapes for POISSON_NODES."""
+    angles = np.arange(1, layout.POINT_LIMIT + 1) * np.pi / (layout.POINT_LIMIT + 1)
     shapes = [cubics(lambda shape: inverse_coefficients(shape, column)).ravel()
               for column in range(len(POISSON_NODES))]
-    return np.concatenate(shapes)
+    return np.concatenate([np.cos(angles), np.sin(angles), *shapes])

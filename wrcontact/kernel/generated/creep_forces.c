@@ -45,7 +45,7 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
     int64_t patch;
     int64_t to;
     double limit;
-    rolling = layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index;
+    rolling = layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index;
     side = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(INT64_C(2) * index - INT64_C(1));
     number_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_SIDE_COUNT)));
@@ -62,27 +62,35 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
             creep_forces__add_creep(work, side, to, mirror);
         }
     }
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    {
+        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), rolling);
+    }
     return INT64_C(0);
 }
 
 /* Load, creepages and friction of a patch, from its outputs ``to``. */
 static inline int64_t creep_forces__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, int64_t to, double mirror, double friction)
 {
+    double rolling_x;
+    double rolling_y;
+    double rolling_z;
     double speed;
     int64_t index_end;
     int64_t index;
     int64_t strip;
     double y;
     double z;
-    double rolling_x;
-    double rolling_y;
-    double rolling_z;
     double sliding;
     creep_forces__set_load(work, patch, (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_CREEPAGE_X)) = (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_CREEPAGE_Y)) = (-mirror) * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPIN)) = (-mirror) * (*cspan_at(&work, to + layout__PATCH_SPIN));
-    speed = creepage__patch_speed(work, to);
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, work, (*cspan_at(&work, to + layout__PATCH_X_TRACK)), (*cspan_at(&work, to + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)), (*cspan_at(&work, to + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)), (*cspan_at(&work, to + layout__PATCH_ROLLING_RADIUS)));
+    speed = creepage__reference_speed(work, rolling_x);
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED)) = speed;
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_BACKWARDS)) = (double)((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) + rolling_x < 0.0);
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     index_end = (int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -133,7 +141,7 @@ static inline int64_t creep_forces__write_creep(array_double_1d work, int64_t pa
     {
         (*cspan_at(&work, to + layout__PATCH_SATURATION)) = sqrt((*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y))) / limit;
     }
-    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = (-creepage__patch_speed(work, to)) * ((*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)));
+    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED))) * ((*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)));
     return INT64_C(0);
 }
 

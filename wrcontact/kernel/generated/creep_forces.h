@@ -20,7 +20,9 @@
 #include "friction.h"
 #include "layout.h"
 #include "moving.h"
+#include "outlines.h"
 #include "tangential_contact.h"
+#include "wear_outline.h"
 
 static inline int64_t creep_forces__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline int64_t creep_forces__set_load(array_double_1d work, int64_t patch, double load);

@@ -55,17 +55,23 @@ static inline int64_t prepare_fixed__parabola_weights(double* result_0, double* 
 static inline int64_t prepare_fixed__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio)
 {
     int64_t first;
+    int64_t i;
     int64_t size;
     double low;
     double middle;
     double high;
     int64_t shapes;
-    int64_t i;
     if (at + layout__ROLLING_TABLE_SIZE > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
     first = prepare_fixed__fixed_table(fixed, prepare_fixed__FIXED_ROLLING);
+    for (i = INT64_C(0); i < layout__POINT_LIMIT; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_COSINES + i)) = (*cspan_at(&fixed, first + i));
+        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SINES + i)) = (*cspan_at(&fixed, first + layout__POINT_LIMIT + i));
+    }
+    first += INT64_C(2) * layout__POINT_LIMIT;
     size = layout__SHAPE_ROW * layout__SHAPE_CELLS;
     prepare_fixed__parabola_weights(&low, &middle, &high, prepare_fixed__LOW_RATIO, prepare_fixed__MIDDLE_RATIO, prepare_fixed__HIGH_RATIO, poisson_ratio);
     shapes = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SHAPES;

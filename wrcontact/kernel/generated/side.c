@@ -16,7 +16,7 @@ static inline int64_t side__clear_side(array_double_1d tables, array_double_1d w
     {
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
     outlines__fill_apart(tables, work, index, 0.0);
     return INT64_C(0);
 }
@@ -48,7 +48,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     {
         resultant__add_patches(work, tables, penetration, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
         totals__write_patches(work, out);
-        rolling_patches__keep_rolling(work, tables, layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)));
+        rolling_patches__keep_rolling(work, tables, layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)));
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {
             outline = outlines__outline_place(tables, work, index);

@@ -25,7 +25,7 @@ static inline int64_t tangent_creep_forces__write_side_creep_t(array_double_1d t
     int64_t to;
     double limit_t;
     double limit;
-    rolling = layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index;
+    rolling = layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index;
     side = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(INT64_C(2) * index - INT64_C(1));
     number_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_SIDE_COUNT)));
@@ -43,6 +43,10 @@ static inline int64_t tangent_creep_forces__write_side_creep_t(array_double_1d t
             tangent_creep_forces__add_creep_t(work, work_t, side, to, mirror, 0.0);
         }
     }
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    {
+        tangent_wear_outline__write_wear_t(work, work_t, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), rolling);
+    }
     return INT64_C(0);
 }
 
@@ -51,6 +55,12 @@ static inline int64_t tangent_creep_forces__open_rolling_t(array_double_1d work,
 {
     double v1;
     double v2;
+    double rolling_x;
+    double rolling_x_t;
+    double rolling_y;
+    double rolling_y_t;
+    double rolling_z;
+    double rolling_z_t;
     double v3;
     double v3_t;
     double speed_t;
@@ -62,12 +72,6 @@ static inline int64_t tangent_creep_forces__open_rolling_t(array_double_1d work,
     double y;
     double z_t;
     double z;
-    double rolling_x;
-    double rolling_x_t;
-    double rolling_y;
-    double rolling_y_t;
-    double rolling_z;
-    double rolling_z_t;
     double v4;
     double v4_t;
     double v5;
@@ -86,9 +90,16 @@ static inline int64_t tangent_creep_forces__open_rolling_t(array_double_1d work,
     v2 = -mirror;
     (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_SPIN)) = (-mirror_t) * (*cspan_at(&work, to + layout__PATCH_SPIN)) + v2 * (*cspan_at(&work_t, to + layout__PATCH_SPIN));
     (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPIN)) = v2 * (*cspan_at(&work, to + layout__PATCH_SPIN));
-    tangent_creepage__patch_speed_t(&v3, &v3_t, work, work_t, to);
+    tangent_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, work, work_t, (*cspan_at(&work, to + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, to + layout__PATCH_X_TRACK)), (*cspan_at(&work, to + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)), (*cspan_at(&work_t, to + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_CENTRE_Y)), (*cspan_at(&work, to + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)), (*cspan_at(&work_t, to + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, layout__WORK_MOTION + layout__MOTION_CENTRE_Z)), (*cspan_at(&work, to + layout__PATCH_ROLLING_RADIUS)), (*cspan_at(&work_t, to + layout__PATCH_ROLLING_RADIUS)));
+    tangent_creepage__reference_speed_t(&v3, &v3_t, work, work_t, rolling_x, rolling_x_t);
     speed_t = v3_t;
     speed = v3;
+    (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_SPEED)) = speed_t;
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED)) = speed;
+    (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_BACKWARDS)) = 0.0;
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_BACKWARDS)) = (double)((*cspan_at(&work, layout__WORK_MOTION + layout__MOTION_SPEED)) + rolling_x < 0.0);
+    (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_PUBLISHED)) = 0.0;
+    (*cspan_at(&work, patch + layout__ROLLING_PATCH_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     index_end = (int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -149,10 +160,8 @@ static inline int64_t tangent_creep_forces__write_creep_t(array_double_1d work, 
     double v3;
     double v4;
     double v5;
-    double v5_t;
     double v6;
     double v7;
-    double v8;
     (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_X)) = (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_X));
     (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) = (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X));
     (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_Y)) = (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_Y));
@@ -172,12 +181,11 @@ static inline int64_t tangent_creep_forces__write_creep_t(array_double_1d work, 
         (*cspan_at(&work_t, to + layout__PATCH_SATURATION)) = (tangent_rates__root_rate(v3, (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) + (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_X)) * (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_X)) + ((*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y)) + (*cspan_at(&work, patch + layout__ROLLING_PATCH_FORCE_Y)) * (*cspan_at(&work_t, patch + layout__ROLLING_PATCH_FORCE_Y)))) - v4 * limit_t) / limit;
         (*cspan_at(&work, to + layout__PATCH_SATURATION)) = v4;
     }
-    tangent_creepage__patch_speed_t(&v5, &v5_t, work, work_t, to);
-    v6 = -v5;
-    v7 = mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y));
-    v8 = (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - v7 * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT));
-    (*cspan_at(&work_t, to + layout__PATCH_FRICTION_POWER)) = (-v5_t) * v8 + v6 * ((*cspan_at(&work_t, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) + (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_X)) - ((mirror_t * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) + mirror * (*cspan_at(&work_t, to + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + v7 * (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_Y))) + ((*cspan_at(&work_t, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work_t, to + layout__PATCH_CREEP_MOMENT))));
-    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = v6 * v8;
+    v5 = -(*cspan_at(&work, patch + layout__ROLLING_PATCH_SPEED));
+    v6 = mirror * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y));
+    v7 = (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) - v6 * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT));
+    (*cspan_at(&work_t, to + layout__PATCH_FRICTION_POWER)) = (-(*cspan_at(&work_t, patch + layout__ROLLING_PATCH_SPEED))) * v7 + v5 * ((*cspan_at(&work_t, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_X)) + (*cspan_at(&work, to + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_X)) - ((mirror_t * (*cspan_at(&work, to + layout__PATCH_CREEPAGE_Y)) + mirror * (*cspan_at(&work_t, to + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, to + layout__PATCH_CREEP_FORCE_Y)) + v6 * (*cspan_at(&work_t, to + layout__PATCH_CREEP_FORCE_Y))) + ((*cspan_at(&work_t, to + layout__PATCH_SPIN)) * (*cspan_at(&work, to + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, to + layout__PATCH_SPIN)) * (*cspan_at(&work_t, to + layout__PATCH_CREEP_MOMENT))));
+    (*cspan_at(&work, to + layout__PATCH_FRICTION_POWER)) = v5 * v7;
     return INT64_C(0);
 }
 

@@ -9,10 +9,12 @@
 #include "../native/spans.h"
 #include "creepage.h"
 #include "layout.h"
+#include "outlines.h"
 #include "tangent_creepage.h"
 #include "tangent_friction.h"
 #include "tangent_rates.h"
 #include "tangent_tangential_contact.h"
+#include "tangent_wear_outline.h"
 
 static inline int64_t tangent_creep_forces__set_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, double load, double load_t);
 static inline int64_t tangent_creep_forces__open_rolling_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t to, double mirror, double mirror_t, double friction, double friction_t);

@@ -16,8 +16,8 @@ static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_d
         (*cspan_at(&work_t, out + i)) = 0.0;
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index + layout__ROLLING_SIDE_COUNT)) = 0.0;
     tangent_outlines__fill_apart_t(tables, work, work_t, index, 0.0, 0.0);
     return INT64_C(0);
 }
@@ -48,7 +48,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     {
         tangent_resultant__add_patches_t(work, work_t, tables, penetration, penetration_t, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
         tangent_totals__write_patches_t(work, work_t, out);
-        tangent_rolling_patches__keep_rolling_t(work, work_t, tables, layout__WORK_ROLLING + layout__ROLLING_SIDE_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)), 0.0);
+        tangent_rolling_patches__keep_rolling_t(work, work_t, tables, layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index, (double)(INT64_C(2) * index - INT64_C(1)), 0.0);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {
             outline = outlines__outline_place(tables, work, index);

@@ -7,9 +7,12 @@
 #define WRCONTACT_KERNEL_TANGENTIAL_CONTACT_H
 
 #include "../native/spans.h"
+#include "fastsim.h"
 #include "layout.h"
 #include "polach.h"
 
+static inline int64_t tangential_contact__clear_found(array_double_1d work, int64_t rolling);
+static inline int64_t tangential_contact__mirror_rolling(array_double_1d work, int64_t rolling);
 static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables, int64_t rolling);
 
 #endif

@@ -7,7 +7,7 @@ from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import RollTrials, Sides
-from .tangential import RollingSide
+from .tangential import RollingPatch, RollingSide
 from .wheelset import Bracket, Broyden, Reference, Supports
 
 
@@ -47,4 +47,5 @@ class Work:
     trials: RollTrials
     motion: Motion
     reference: Reference
-    rolling: RollingSide * 2        # patches of the left and right wheel, cut into strips
+    rolling_sides: RollingSide * 2  # patches of the left and right wheel, cut into strips
+    rolling: RollingPatch           # a patch by itself, apart from a step

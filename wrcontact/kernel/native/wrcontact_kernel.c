@@ -1,4 +1,4 @@
-/* The kernel's one translation unit: the generated code, and the three functions that the outside may call.
+/* The kernel's one translation unit: the generated code, and the functions that the outside may call.
  *
  *     cc -std=gnu11 -O3 -ffp-contract=off -fvisibility=hidden -shared -fPIC wrcontact_kernel.c -lm
  *
@@ -19,6 +19,16 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
                                 span_of(inputs, count * layout__INPUT_COUNT),
                                 span_of(outputs, count * outline__row_size(handle->right_tables)),
                                 span_of(statuses, count));
+}
+
+void wrcontact_cut_patch(array_double_1d workspace, int64_t index)
+{
+    sections__cut_patch(workspace, index, layout__WORK_ROLLING);
+}
+
+void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace)
+{
+    tangential_contact__solve_tangential(workspace, tables, layout__WORK_ROLLING);
 }
 
 int64_t wrcontact_abi(void)

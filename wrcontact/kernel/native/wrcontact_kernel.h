@@ -35,6 +35,12 @@ WRCONTACT_EXPORT int wrcontact_step(const wrcontact_handle *handle);
 WRCONTACT_EXPORT int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *inputs, double *outputs,
                                          double *statuses);
 
+/* Cut solved patch `index` of the workspace into the strips of its rolling patch. */
+WRCONTACT_EXPORT void wrcontact_cut_patch(array_double_1d workspace, int64_t index);
+
+/* The creep force of the rolling patch in the workspace. */
+WRCONTACT_EXPORT void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace);
+
 /* The fingerprint of the sources this was compiled from; see wrcontact/kernel/binding/files.py. */
 WRCONTACT_EXPORT int64_t wrcontact_abi(void);
 

@@ -6,7 +6,7 @@ Poisson's ratios.  The tables follow one after the other.
 
 from typing import Final
 
-from ..layout import ROLLING_TABLE_SIZE, SHAPE_CELLS, SHAPE_ROW, Tables
+from ..layout import POINT_LIMIT, ROLLING_TABLE_SIZE, SHAPE_CELLS, SHAPE_ROW, Tables
 from .pieces import FULL
 
 FIXED_HERTZ: Final[int] = 0
@@ -52,6 +52,10 @@ def append_rolling(tables: Tables, at: int, fixed: 'float[:]', poisson_ratio: fl
     if at + ROLLING_TABLE_SIZE > tables.raw.shape[0]:
         return FULL
     first = fixed_table(fixed, FIXED_ROLLING)
+    for i in range(POINT_LIMIT):
+        tables.rolling.cosines[i] = fixed[first + i]
+        tables.rolling.sines[i] = fixed[first + POINT_LIMIT + i]
+    first += 2 * POINT_LIMIT
     size = SHAPE_ROW * SHAPE_CELLS
     low, middle, high = parabola_weights(LOW_RATIO, MIDDLE_RATIO, HIGH_RATIO, poisson_ratio)
     shapes = tables.rolling.shapes

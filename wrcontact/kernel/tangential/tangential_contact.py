@@ -1,20 +1,54 @@
 """The creep force of a patch by the chosen model."""
 
-from ..layout import TANGENTIAL_POLACH, RollingPatch, Tables
+from ..layout import TANGENTIAL_FASTSIM, TANGENTIAL_POLACH, RollingPatch, Tables
+from .fastsim import solve_fastsim
 from .polach import solve_polach
 
 
 def solve_tangential(tables: Tables, rolling: RollingPatch):
     """Force, moment, stick share and largest traction of a patch that rolls, into its record.
 
-    All are zero where nothing presses or nothing rubs.
+    All are zero where nothing presses or nothing rubs.  A patch that rolls backwards is solved as its mirror
+    image that rolls forwards.
     """
+    clear_found(rolling)
+    if rolling.load > 0.0 and rolling.friction > 0.0 and rolling.half_length > 0.0:
+        if rolling.backwards:
+            mirror_rolling(rolling)
+        if tables.tangential == TANGENTIAL_POLACH:
+            solve_polach(tables, rolling)
+        elif tables.tangential == TANGENTIAL_FASTSIM:
+            solve_fastsim(tables, rolling)
+        if rolling.backwards:
+            mirror_rolling(rolling)
+    return 0
+
+
+def clear_found(rolling: RollingPatch):
+    """Nothing is found yet."""
     rolling.force_x = 0.0
     rolling.force_y = 0.0
     rolling.moment = 0.0
     rolling.stick_share = 0.0
     rolling.max_shear = 0.0
-    if rolling.load > 0.0 and rolling.friction > 0.0:
-        if tables.tangential == TANGENTIAL_POLACH:
-            solve_polach(tables, rolling)
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        strip.force_x = 0.0
+        strip.force_y = 0.0
+        strip.moment = 0.0
+    return 0
+
+
+def mirror_rolling(rolling: RollingPatch):
+    """The mirror image of a patch, what is known of it and what is found, in the plane across the rail."""
+    rolling.creepage_x = -rolling.creepage_x
+    rolling.spin = -rolling.spin
+    rolling.force_x = -rolling.force_x
+    rolling.moment = -rolling.moment
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        strip.x = -strip.x
+        strip.slip = -strip.slip
+        strip.force_x = -strip.force_x
+        strip.moment = -strip.moment
     return 0

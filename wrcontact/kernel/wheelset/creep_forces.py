@@ -12,11 +12,24 @@ Normal forces of a body of revolution go through its axle; the torque about the 
 
 from math import cos, fabs, sin, sqrt
 
-from ..layout import TANGENTIAL_NONE, Motion, Outputs, Patch, RollingPatch, SideOutputs, Tables, Work
-from ..motion.creepage import STANDSTILL, patch_speed, rolling_velocity, velocity_along
+from ..layout import (
+    DEPTH_ALL,
+    TANGENTIAL_NONE,
+    Motion,
+    Outline,
+    Outputs,
+    Patch,
+    RollingPatch,
+    SideOutputs,
+    Tables,
+    Work,
+)
+from ..motion.creepage import STANDSTILL, patch_speed, reference_speed, rolling_velocity, velocity_along
 from ..tangential.tangential_contact import solve_tangential
 from .friction import patch_friction, reduce_slope
 from .moving import is_rolling
+from .outlines import outline_place
+from .wear_outline import write_wear
 
 
 def has_creep_forces(tables: Tables, work: Work):
@@ -36,7 +49,7 @@ def write_creep_forces(left_tables: Tables, right_tables: Tables, work: Work):
 
 def write_side_creep(tables: Tables, work: Work, index: int, friction: float):
     """Creep forces of the patches of side ``index``, whose coefficient of friction is ``friction``."""
-    rolling = work.rolling[index]
+    rolling = work.rolling_sides[index]
     side = work.outputs.left[index]
     mirror = float(2 * index - 1)
     for number in range(rolling.count):
@@ -46,8 +59,10 @@ def write_side_creep(tables: Tables, work: Work, index: int, friction: float):
             open_rolling(tables, work.motion, patch, to, mirror, friction)
             limit = patch.friction * patch.load
             solve_tangential(tables, patch)
-            write_creep(work.motion, patch, to, mirror, limit)
+            write_creep(patch, to, mirror, limit)
             add_creep(work.motion, work.outputs, side, to, mirror)
+    if tables.depth == DEPTH_ALL:
+        write_wear(Outline.at(work, outline_place(tables, work, index)), tables.stations, rolling)
     return 0
 
 
@@ -58,7 +73,12 @@ def open_rolling(tables: Tables, motion: Motion, patch: RollingPatch, to: Patch,
     patch.creepage_x = to.creepage_x
     patch.creepage_y = -mirror * to.creepage_y
     patch.spin = -mirror * to.spin
-    speed = patch_speed(motion, to)
+    rolling_x, rolling_y, rolling_z = rolling_velocity(motion, to.x_track, to.y_track - motion.centre_y,
+                                                       to.z_track - motion.centre_z, to.rolling_radius)
+    speed = reference_speed(motion, rolling_x)
+    patch.speed = speed
+    patch.backwards = motion.speed + rolling_x < 0.0
+    patch.published = tables.parameters.published_spin == 1.0
     for index in range(patch.count):
         strip = patch.strips[index]
         y = strip.y_track - motion.centre_y
@@ -83,7 +103,7 @@ def set_load(patch: RollingPatch, load: float):
     return 0
 
 
-def write_creep(motion: Motion, patch: RollingPatch, to: Patch, mirror: float, limit: float):
+def write_creep(patch: RollingPatch, to: Patch, mirror: float, limit: float):
     """What the tangential model has found into the outputs of a patch, whose creep force is at most ``limit``
     [N]."""
     to.creep_force_x = patch.force_x
@@ -93,7 +113,7 @@ def write_creep(motion: Motion, patch: RollingPatch, to: Patch, mirror: float, l
     to.max_shear = patch.max_shear
     if limit > 0.0:
         to.saturation = sqrt(patch.force_x * patch.force_x + patch.force_y * patch.force_y) / limit
-    to.friction_power = -patch_speed(motion, to) * (
+    to.friction_power = -patch.speed * (
         to.creepage_x * to.creep_force_x - mirror * to.creepage_y * to.creep_force_y
         + to.spin * to.creep_moment)
     return 0

@@ -37,7 +37,7 @@ def clear_side(tables: Tables, work: Work, index: int):
     out = work.outputs.left[index]
     for i in range(SIDE_SIZE):
         out[i] = 0.0
-    work.rolling[index].count = 0
+    work.rolling_sides[index].count = 0
     fill_apart(tables, work, index, 0.0)
     return 0
 
@@ -57,7 +57,7 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     if work.contact.filling:
         add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
         write_patches(work.contact.solved, out)
-        keep_rolling(tables, work.contact, work.rolling[index], float(2 * index - 1))
+        keep_rolling(tables, work.contact, work.rolling_sides[index], float(2 * index - 1))
         if tables.depth == DEPTH_ALL:
             outline = Outline.at(work, outline_place(tables, work, index))
             write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)

@@ -1,0 +1,115 @@
+"""Creep forces of a patch by the kernel's models."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import pi
+
+import numpy as np
+
+from ..kernel import layout
+from ..kernel.binding.fixed_tables import fixed_tables
+from ..kernel.binding.library import default_kernel
+from ..kernel.prepare import fixed
+from ..methods import NUMBERS, family_of
+from .checks import check_number
+
+
+@dataclass(frozen=True)
+class CreepForces:
+    """What friction does to the wheel in a patch."""
+
+    x: float                        #: force on the wheel forwards [N]
+    y: float                        #: and to the field side [N]
+    moment: float                   #: moment about the normal, through the centre of load [N m]
+    stick_share: float              #: share of the patch's area that sticks [-]
+    max_shear: float                #: largest traction [Pa]
+
+
+def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, tangential_model="strips"):
+    """Creep force and moment of a patch in steady rolling.
+
+    Parameters
+    ----------
+    patch : a :class:`CreepPatch`.
+    creepage_x, creepage_y : slip velocity of the wheel against the rail at the patch's centre of load over
+        the rolling speed, forwards and to the field side [-].
+    spin : rate of turning of the wheel against the rail about the normal, over the rolling speed [1/m];
+        x forward, y to the field side and the normal are right-handed.
+    friction : coefficient of friction [-].
+    tangential_model : "strips", "fastsim", "fastrip", "polach" or "halfspace".
+
+    Returns
+    -------
+    CreepForces
+        on the wheel, opposite to its slip.
+
+    Raises
+    ------
+    ValueError
+        where a number is out of its range or a model is unknown, in a sentence.
+    """
+    for name, value, unit, high in (("creepage_x", creepage_x, "", 1e6), ("creepage_y", creepage_y, "", 1e6),
+                                    ("spin", spin, "1/m", 1e9)):
+        check_number(name, value, unit, -high, high)
+    check_number("friction", friction, "", 0.0, 10.0)
+    model = family_of("tangential_model").method(tangential_model)
+    tables = model_tables(NUMBERS["tangential_model"][model.name], patch.youngs_modulus, patch.poisson_ratio)
+    workspace = np.zeros(layout.WORK_SIZE)
+    rolling = layout.Work.at(workspace).rolling
+    rolling.creepage_x, rolling.creepage_y = creepage_x, creepage_y
+    rolling.spin, rolling.friction = spin, friction
+    roll(patch, tables, workspace)
+    return CreepForces(rolling.force_x, rolling.force_y, rolling.moment, rolling.stick_share,
+                       rolling.max_shear)
+
+
+def roll(patch, tables, workspace):
+    """Cut a patch into the strips of the workspace (n,) and find its creep force there, with the creepages
+    and the friction that stand there."""
+    write_patch(patch, layout.Work.at(workspace).contact.solved)
+    kernel = default_kernel()
+    kernel.cut_patch(workspace)
+    kernel.solve_tangential(tables, workspace)
+
+
+def write_patch(patch, solved):
+    """Write a patch as the only one of solved patches."""
+    solved.count = 1
+    written = solved.patches[0]
+    written.rule = layout.RULE_ELLIPSE if patch.ellipse else layout.RULE_STRAIGHT
+    written.slant = patch.slant
+    totals = written.totals
+    totals.start, totals.stop = patch.station[[0, -1]]
+    totals.width = totals.stop - totals.start
+    totals.load = patch.normal_force
+    totals.max_half_length = patch.half_length.max()
+    if patch.ellipse:
+        totals.area = pi * totals.max_half_length * totals.stop
+        return
+    low, high = patch.half_length[:-1], patch.half_length[1:]
+    width, middle = np.diff(patch.station), 0.5 * (patch.station[1:] + patch.station[:-1])
+    # the squares of the half-lengths follow straight lines
+    both = np.maximum(low + high, 1e-300)
+    totals.area = 2.0 * np.sum(width * 2.0 / 3.0 * (low**2 + low * high + high**2) / both)
+    before, after = patch.line_load[:-1], patch.line_load[1:]
+    moment = np.sum(width * (0.5 * (before + after) * middle + (after - before) * width / 12.0))
+    totals.centroid = moment / np.sum(width * 0.5 * (before + after))
+    inner = slice(1, -1)
+    written.first, written.last = 0, len(patch.station) - 3
+    for strip, station, length, load in zip(solved.strips, patch.station[inner].tolist(),
+                                            patch.half_length[inner].tolist(),
+                                            patch.line_load[inner].tolist()):
+        strip.station, strip.width = station, 1.0
+        strip.half_length_square, strip.line_load = length**2, load
+
+
+@lru_cache(maxsize=32)
+def model_tables(number, youngs_modulus, poisson_ratio):
+    """The kernel's tables (n,) for a model of creep forces alone."""
+    array = np.zeros(layout.SETTING_COUNT + layout.ROLLING_TABLE_SIZE)
+    tables = layout.Tables.at(array)
+    tables.tangential = number
+    tables.shear_modulus = youngs_modulus / (2.0 * (1.0 + poisson_ratio))
+    tables.rolling = layout.SETTING_COUNT
+    fixed.append_rolling(tables, layout.SETTING_COUNT, memoryview(fixed_tables()), poisson_ratio)
+    return array

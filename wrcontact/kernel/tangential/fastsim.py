@@ -1,0 +1,91 @@
+"""FASTSIM, Kalker's simplified theory.
+
+J. J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11 (1982)
+1-13.  The surface gives way like u = L p, so that along a strip, in the direction of rolling,
+
+    dp_x/dx = (xi - phi y) / L1,   dp_y/dx = eta / L2 + phi x / L3                              (F1)
+    L1 = 8 a / (3 C11 G),  L2 = 8 a / (3 C22 G),  L3 = pi a sqrt(a/b) / (4 C23 G)               (F2)
+
+from zero at the leading edge, cut to the bound.  a, b and the coefficients are those of the ellipse with the
+patch's area and length over width.  As published, -phi y has the flexibility L3; with L1, which is that of
+all longitudinal creepage, the force is closer to the complete theory.  The bound is that of the pressure,
+mu p0 sqrt(1 - (x/a)^2).
+"""
+
+from math import pi, sqrt
+
+from ..layout import POINT_LIMIT, RollingPatch, RollingStrip, RollingTable, Tables
+from .shapes import kalker_coefficients
+from .tractions import add_strip, bound_rate, cut_to, patch_area, point_weight
+
+
+def solve_fastsim(tables: Tables, rolling: RollingPatch):
+    """Force, moment, stick share and largest traction of a patch."""
+    along, across, turning = stiffnesses(tables, rolling)
+    stuck = 0.0
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        rate = bound_rate(rolling, strip)
+        if rate > 0.0:
+            push = strip_push(rolling, strip, along, turning)
+            stuck += march_strip(tables.rolling, rolling, strip, rate, push, across, turning)
+    area = patch_area(rolling)
+    if area > 0.0:
+        rolling.stick_share = stuck / area
+    return 0
+
+
+def stiffnesses(tables: Tables, rolling: RollingPatch):
+    """1/L1, 1/L2, 1/L3 [Pa/m]; eq. (F2)."""
+    a = rolling.half_length
+    ratio = a / rolling.half_width
+    first, second, third = kalker_coefficients(tables.rolling, ratio)
+    modulus = tables.shear_modulus
+    return (3.0 * first * modulus / (8.0 * a), 3.0 * second * modulus / (8.0 * a),
+            4.0 * third * modulus / (pi * a * sqrt(ratio)))
+
+
+def strip_push(rolling: RollingPatch, strip: RollingStrip, along: float, turning: float):
+    """dp_x/dx of a strip [Pa/m]; eq. (F1)."""
+    push = strip.slip * along
+    if rolling.published:
+        push = rolling.creepage_x * along + (strip.slip - rolling.creepage_x) * turning
+    return push
+
+
+def march_strip(table: RollingTable, rolling: RollingPatch, strip: RollingStrip, rate: float, push: float,
+                across: float, turning: float):
+    """Add a strip's force from its tractions; the area that sticks [m^2]."""
+    a = strip.half_length
+    lateral = (rolling.creepage_y) * across + rolling.spin * strip.x * turning
+    turn = rolling.spin * turning
+    before = a
+    p_x = 0.0
+    p_y = 0.0
+    force_x = 0.0
+    force_y = 0.0
+    moment = 0.0
+    stuck = 0.0
+    total = 0.0
+    largest = rolling.max_shear * rolling.max_shear
+    for q in range(POINT_LIMIT):
+        x = a * table.cosines[q]
+        weight = table.sines[q]
+        step = before - x
+        free_x = p_x - step * push
+        free_y = p_y - step * (lateral + turn * (x + 0.5 * step))
+        p_x, p_y = cut_to(free_x, free_y, rate * a * weight)
+        if p_x == free_x and p_y == free_y:
+            stuck += weight
+        total += weight
+        square = p_x * p_x + p_y * p_y
+        if square > largest:
+            largest = square
+        force_x += weight * p_x
+        force_y += weight * p_y
+        moment += weight * x * p_y
+        before = x
+    rolling.max_shear = sqrt(largest)
+    weight = point_weight(strip)
+    add_strip(rolling, strip, weight * force_x, weight * force_y, weight * moment)
+    return 2.0 * a * strip.width * stuck / total
