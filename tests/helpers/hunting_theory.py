@@ -6,7 +6,7 @@ form.  Normal forces are Hertz's, creep forces Kalker's linear theory.  Frames a
 docs/conventions.md.  Equations of motion are those of the wheelset in examples/hunting_wheelset, written anew.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import eigvals
@@ -23,7 +23,7 @@ STEPS = np.array([1e-8, 1e-8, 1e-8, 1e-8, 1e-6, 1e-6, 1e-6, 1e-6, 1e-6])
 class Wheelset:
     """Wheelset, springs between it and the frame, and the rails; SI.
 
-    ``springs`` and ``dampers`` act across, down, in roll and in yaw; ``coefficients`` are Kalker's C11, C22,
+    ``springs`` and ``dampers`` act across, down, in roll and in yaw, with the frame at the height 0; ``coefficients`` are Kalker's C11, C22,
     C23 and C33 of the patch; ``rail_y`` is where the rails' axes are.
     """
 
@@ -38,7 +38,6 @@ class Wheelset:
     head: float = 0.3
     radius: float = 0.46
     arm: float = 0.75
-    table: dict = field(default_factory=dict, compare=False)
 
 
 def patch(model):
@@ -99,23 +98,33 @@ def accelerations(model, state, speed):
     spin = model.inertia[2] * speed / model.radius
     push = np.array([force[1], force[2] + model.load, moment[0] * np.cos(yaw) + moment[1] * np.sin(yaw),
                      moment[2]])
-    push -= np.array(model.springs) * state[:4] * [1, 0, 1, 1] + np.array(model.dampers) * state[4:8]
+    push -= np.array(model.springs) * state[:4] + np.array(model.dampers) * state[4:8]
     push += spin * np.array([0.0, 0.0, -state[7], state[6]])
-    push[1] -= model.springs[1] * (state[1] - patch(model)[0])      # the springs rest near the equilibrium
     inertia = np.array([model.mass, model.mass, *model.inertia])
     return np.append(push, torque) / inertia
 
 
-def state_matrix(model, speed):
-    """Of the motion near the middle (9, 9): places, then rates."""
-    def turned(middle):
-        state = np.array([0.0, middle[0] * 1e-4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, middle[1] * speed / model.radius])
-        change = accelerations(model, state, speed)
+def steady(model, speed):
+    """The steady motion in the middle (9,): the height at which the load is carried, and the rotation at which
+    nothing turns the axle."""
+    high = (patch(model)[0] - touch(model, 1, np.zeros(4))[2]) / np.cos(np.arctan(model.slope))
+    rolling = speed / model.radius
+
+    def moved(unknown):
+        state = np.zeros(9)
+        state[1], state[8] = high + 1e-6 * unknown[0], rolling * (1 + 1e-3 * unknown[1])
+        return state
+
+    def missing(unknown):
+        change = accelerations(model, moved(unknown), speed)
         return change[1], change[4]
 
-    middle = fsolve(turned, [0.8, 1.0], xtol=1e-13)
-    state = np.zeros(9)
-    state[1], state[8] = middle[0] * 1e-4, middle[1] * speed / model.radius
+    return moved(fsolve(missing, [0.0, 0.0], xtol=1e-9))
+
+
+def state_matrix(model, speed):
+    """Of the motion near the middle (9, 9): places, then rates."""
+    state = steady(model, speed)
     matrix = np.zeros((9, 9))
     matrix[:4, 4:8] = np.eye(4)
     for k, step in enumerate(STEPS):
