@@ -211,8 +211,8 @@ def test_vertical_load_includes_friction(pose, mode):
     """Each wheel's whole force has the vertical component that is prescribed, to LOAD_MET."""
     contact = system(contact_mode=mode, load="vertical", tangential_model=MODELS[-1])
     state = contact.evaluate(**POSES[pose], normal_force=80e3, load_transfer=0.2)
-    assert -state.left.force.z == pytest.approx(64e3, rel=1e-4)
-    assert -state.right.force.z == pytest.approx(96e3, rel=1e-4)
+    assert -state.left.force.z == pytest.approx(64e3, rel=1e-8)
+    assert -state.right.force.z == pytest.approx(96e3, rel=1e-8)
     assert abs(state.right.normal.force.z + 96e3) > 30.0, "friction carries nothing here"
 
 

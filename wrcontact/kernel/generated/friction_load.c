@@ -3,10 +3,10 @@
  * Vertical loads of which friction carries a part.
  *
  * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
- * prescribed.  The first solution leaves creep forces out; it has the component Q (1 - c).  Were all forces
- * proportional to the load, normal forces for the load Q / (1 - c) would give Q.  So the load is divided by what came
- * out over what is wanted, and the wheelset is solved again: once on the tread, where c is small, and a few times on
- * the flange.
+ * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
+ * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
+ * there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
+ * left would otherwise show as noise in differences of the outputs.
  */
 
 #include "friction_load.h"
@@ -15,9 +15,13 @@
 static inline int64_t friction_load__release_friction(array_double_1d work)
 {
     int64_t index;
+    int64_t support;
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
     }
     return INT64_C(0);
 }
@@ -70,19 +74,48 @@ static inline int64_t friction_load__share_load(array_double_1d work)
     int64_t index;
     double share;
     int64_t support;
+    double load;
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         share = friction_load__carried_share(work, index);
-        if (share > friction_load__LARGEST_CHANGE)
-        {
-            share = friction_load__LARGEST_CHANGE;
-        }
-        if (share < 1.0 / friction_load__LARGEST_CHANGE)
-        {
-            share = 1.0 / friction_load__LARGEST_CHANGE;
-        }
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) /= share;
+        load = friction_load__next_load(work, support, share);
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
     }
     return INT64_C(0);
+}
+
+/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
+ * wanted: from a secant, or in proportion.
+ */
+static inline double friction_load__next_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    double change;
+    double slope;
+    double secant;
+    double following;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
+    slope = share / load;
+    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > friction_load__LEAST_CHANGE * load))
+    {
+        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
+        if ((secant > slope / friction_load__LARGEST_CHANGE) && (secant < slope * friction_load__LARGEST_CHANGE))
+        {
+            slope = secant;
+        }
+    }
+    following = load - (share - 1.0) / slope;
+    if (following > load * friction_load__LARGEST_CHANGE)
+    {
+        following = load * friction_load__LARGEST_CHANGE;
+    }
+    if (following < load / friction_load__LARGEST_CHANGE)
+    {
+        following = load / friction_load__LARGEST_CHANGE;
+    }
+    return following;
 }

@@ -1,33 +1,38 @@
 """Vertical loads of which friction carries a part.
 
 With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
-prescribed.  The first solution leaves creep forces out; it has the component Q (1 - c).  Were all forces
-proportional to the load, normal forces for the load Q / (1 - c) would give Q.  So the load is divided by what came
-out over what is wanted, and the wheelset is solved again: once on the tread, where c is small, and a few times on
-the flange.
+prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
+proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
+there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
+left would otherwise show as noise in differences of the outputs.
 """
 
 from math import fabs
 from typing import Final
 
-from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Tables, Work
+from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Support, Tables, Work
 from .creep_forces import has_creep_forces
 
 #: The load is met when no wheel misses it by more than this share [-].
-LOAD_MET: Final[float] = 1e-4
-#: The wheelset is solved again so often at most; only flanges under large friction need more than three.
-LOAD_PASSES: Final[int] = 6
+LOAD_MET: Final[float] = 1e-9
+#: The wheelset is solved again so often at most.
+LOAD_PASSES: Final[int] = 8
 #: Turns in which the rate of the load is found; each leaves a tenth of the one before at most.
-LOAD_RATES: Final[int] = 4
-#: In one turn the load changes by a factor between this and its inverse; friction that carries more than half of
-#: it would jam the wheel.
+LOAD_RATES: Final[int] = 6
+#: In one turn the load changes by a factor between this and its inverse; friction that carries more than half
+#: of it would jam the wheel.
 LARGEST_CHANGE: Final[float] = 2.0
+#: A secant through two loads that differ by less than this share is not tried [-].
+LEAST_CHANGE: Final[float] = 1e-12
 
 
 def release_friction(work: Work):
     """Friction carries nothing yet."""
     for index in range(2):
-        work.supports[index].friction_load = 1.0
+        support = work.supports[index]
+        support.friction_load = 1.0
+        support.load_before = 0.0
+        support.share_before = 0.0
     return 0
 
 
@@ -61,10 +66,27 @@ def share_load(work: Work):
     """Let the normal forces of both sides carry what friction leaves of the load, or adds to it."""
     for index in range(2):
         share = carried_share(work, index)
-        if share > LARGEST_CHANGE:
-            share = LARGEST_CHANGE
-        if share < 1.0 / LARGEST_CHANGE:
-            share = 1.0 / LARGEST_CHANGE
         support = work.supports[index]
-        support.friction_load /= share
+        load = next_load(support, share)
+        support.load_before = support.friction_load
+        support.share_before = share
+        support.friction_load = load
     return 0
+
+
+def next_load(support: Support, share: float):
+    """The next load of a side over that of the inputs, where the last one has given ``share`` of what is
+    wanted: from a secant, or in proportion."""
+    load = support.friction_load
+    change = load - support.load_before
+    slope = share / load
+    if support.load_before > 0.0 and fabs(change) > LEAST_CHANGE * load:
+        secant = (share - support.share_before) / change
+        if secant > slope / LARGEST_CHANGE and secant < slope * LARGEST_CHANGE:
+            slope = secant
+    following = load - (share - 1.0) / slope
+    if following > load * LARGEST_CHANGE:
+        following = load * LARGEST_CHANGE
+    if following < load / LARGEST_CHANGE:
+        following = load / LARGEST_CHANGE
+    return following
