@@ -27,8 +27,8 @@ from .wheelset import CONTACT_INPUTS, FORCES, MOTION
 #: What goes from the wheelset to the contact, and back: (source, target).
 TO_CONTACT = (*zip(MOTION, CONTACT_INPUTS), ("speed", "speed"), ("track_curvature", "track_curvature"))
 TO_WHEELSET = tuple(zip(FORCES, FORCES))
-#: Without derivatives along rotations of rails and the like: those that the wheelset's motion is.
-CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "polach"}
+#: Parameters of the contact FMU, where a run gives no others.
+CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "fastsim"}
 
 
 def build(folder, **profiles):

@@ -23,8 +23,14 @@ RADIUS, LOAD = 0.46, 157e3      # [m], [N]
 STEP = 1e-4                     # [s]
 #: Cases of Klingel's wave: rail inclination, speed [m/s], lateral shift at the start [m].
 KLINGEL = {"cone 1:20": (0.05, 10.0, 0.5e-3), "S1002": (0.025, 10.0, 3e-3)}
-#: Primary suspension for the critical speed: stiffness and damping of one axle box.
+#: Soft primary suspension, one axle box, for the critical speed of S1002: [N/m], [N.s/m].
+SOFT = {"longitudinal_stiffness": 2e5, "lateral_stiffness": 1e5, "vertical_damping": 3e4}
+#: Stiffer, and without dampers, for that of the cone.
 SUSPENSION = {"longitudinal_stiffness": 3.6e5, "lateral_stiffness": 2e5}
+#: Speeds [m/s] of the limit cycles, and the starts [m] of a small and of a large swing.
+SPEEDS, SMALL, LARGE = (20.0, 25.0, 30.0, 31.0, 32.0, 33.0, 34.0, 36.0, 38.0, 40.0, 42.0, 45.0, 50.0), 0.3e-3, 5e-3
+#: How long a cycle is awaited [s].
+PATIENCE = 6.0
 
 
 # --- Klingel ------------------------------------------------------------------------------------------------
@@ -98,7 +104,7 @@ def klingel(archives, system, speed, start, waves=2.5, **coupling):
 # --- critical speed and limit cycle -------------------------------------------------------------------------
 
 
-def cycle(archives, speed, start, duration, contact=None, suspension=SUSPENSION, step=STEP):
+def cycle(archives, speed, start, duration, contact=None, suspension=SOFT, step=STEP):
     """A run at ``speed`` [m/s] from ``start`` [m], and its amplitude at the end [m], over its last fifth."""
     with Loop(archives, suspension | {"frame_speed": speed, "start_lateral_shift": start}, contact) as loop:
         run = loop.run(duration, step, every=10)
@@ -113,3 +119,64 @@ def growth(run):
         return np.nan
     sizes = np.abs(np.diff(y[k]))
     return np.polyfit((run.time[k][1:] + run.time[k][:-1]) / 2, np.log(sizes), 1)[0]
+
+
+def cycles(archives, speeds=SPEEDS, patience=PATIENCE):
+    """Runs at each speed from a large and a small swing: lists of (run, amplitude at the end [m])."""
+    return {start: [cycle(archives, speed, start, patience) for speed in speeds] for start in (LARGE, SMALL)}
+
+
+def draw(linear, found, speeds=SPEEDS):
+    """Figure of the growth of small swings, the amplitudes reached, and a limit cycle.
+
+    Parameters
+    ----------
+    linear : an open :class:`Linear` of the same wheelset.
+    found : what :func:`cycles` returns for ``speeds``.
+    """
+    from matplotlib.figure import Figure
+
+    critical = linear.critical_speed(20.0, 80.0)
+    figure = Figure(figsize=(7.6, 6.4), layout="constrained")
+    (grows, reached), (swing, plane) = figure.subplots(2, 2)
+    sweep = np.linspace(5.0, speeds[-1], 46)
+    grows.plot(sweep, [linear.root(speed).real for speed in sweep], color=WHEEL_COLOUR)
+    grows.axhline(0.0, color=QUIET, linewidth=0.8)
+    grows.set(title="small swings", xlabel="speed [m/s]", ylabel="growth [1/s]")
+    for start, marker, words in ((LARGE, "o", "from a large swing"), (SMALL, "x", "from a small swing")):
+        reached.plot(speeds, [amplitude / MM for _, amplitude in found[start]], marker, color=CONTACT_COLOUR,
+                     fillstyle="none", label=f"{words}, {start / MM:g} mm")
+    reached.set(title=f"amplitude after {PATIENCE:g} s", xlabel="speed [m/s]", ylabel="lateral shift [mm]")
+    reached.legend(fontsize=8)
+    for panel in (grows, reached):
+        panel.axvline(critical, color=QUIET, linestyle="--", linewidth=0.8)
+    grows.annotate(f"{critical:.1f} m/s", (critical, grows.get_ylim()[1]), xytext=(3, -10),
+                   textcoords="offset points", fontsize=8, color=QUIET)
+    place = len(speeds) - 2
+    run = found[SMALL][place][0]
+    swing.plot(run.time, run["lateral_shift"] / MM, color=WHEEL_COLOUR, linewidth=0.8)
+    swing.set(title=f"{speeds[place]:g} m/s, from a small swing", xlabel="time [s]", ylabel="lateral shift [mm]")
+    last = slice(-len(run.time) // 5, None)
+    plane.plot(run["lateral_shift"] / MM, 1e3 * run["yaw"], color=QUIET, linewidth=0.4)
+    plane.plot(run["lateral_shift"][last] / MM, 1e3 * run["yaw"][last], color=CONTACT_COLOUR)
+    plane.set(title="its limit cycle", xlabel="lateral shift [mm]", ylabel="yaw [mrad]")
+    return figure
+
+
+if __name__ == "__main__":
+    folder = Path((sys.argv[1:] or ["out"])[0])
+    cones, worn = build(folder / "cone", wheel=cone_wheel(folder)), build(folder / "S1002")
+    systems = {"cone 1:20": wrcontact.ContactSystem(wheel=cone_wheel(folder), rail_inclination=0.05,
+                                                    contact_mode="elastic"),
+               "S1002": wrcontact.ContactSystem(contact_mode="elastic")}
+    for (name, (_, speed, start)), archives in zip(KLINGEL.items(), (cones, worn)):
+        wave, amplitude, rolled, plain, run = klingel(archives, systems[name], speed, start)
+        print(f"{name}: amplitude {amplitude / MM:.3f} mm, wavelength {wave:.3f} m, Klingel {plain:.3f} m, with "
+              f"roll {rolled:.3f} m, difference {100 * (wave / rolled - 1):.2f} %, status {run.worst_status}")
+    with Linear(worn, SOFT) as linear:
+        print(f"critical speed {linear.critical_speed(20.0, 80.0):.2f} m/s")
+        found = cycles(worn)
+        for start, row in found.items():
+            print(f"from {start / MM:g} mm: " + ", ".join(
+                f"{speed:g} m/s {amplitude / MM:.2f} mm" for speed, (_, amplitude) in zip(SPEEDS, row)))
+        save(draw(linear, found), folder / "hunting.png")
