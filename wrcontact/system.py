@@ -9,6 +9,7 @@
 
 import math
 import threading
+from functools import partial
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from .interface.inputs import INPUTS
 from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, warn_of_parameters
 from .kernel import layout
 from .kernel.binding.setup import prepare_sides
-from .methods import Halfspace
+from .methods import Halfspace, HalfspaceRolling
 from .profiles.find import find_profile
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
@@ -152,6 +153,11 @@ class ContactSystem:
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
             return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]), self._left_tables)
+        if isinstance(self.methods["tangential_model"], HalfspaceRolling):
+            from .reference.rolling_step import RollingSolver
+
+            return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]),
+                           self._left_tables)
         return Stepper(self._tables, left=self._left_tables)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):

@@ -170,7 +170,8 @@ def test_standstill_and_no_friction(model):
         np.testing.assert_array_equal(state.moment, plain.moment)
         for side in (state.left, state.right):
             patch = side.patches[0]
-            assert (patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number) == (0, 0, 0, 0)
+            found = patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number
+            assert found == (0.0, 0.0, 0.0, 0.0)
         assert state.driving_torque == 0.0
 
 

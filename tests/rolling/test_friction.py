@@ -40,8 +40,8 @@ def test_coulombs_law_holds_in_every_cell(values):
 
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)
 def test_the_friction_power_is_the_work_of_the_forces(values):
-    """No elastic energy is left behind in steady rolling: power over speed is -(Fx xi + Fy eta + Mz phi).  The
-    cells' error is 1 % of the friction limit's power at most, after extrapolation."""
+    """No elastic energy is left behind in steady rolling: power over speed is -(Fx xi + Fy eta + Mz phi).
+    The cells' error is 1 % of the friction limit's power at most, after extrapolation."""
     found = roll_outline(OUTLINE, **motion(values), **MATERIAL)
     work = -forces(found) @ values
     assert found.dissipation == pytest.approx(work, abs=0.01 * LIMIT * np.hypot(*values[:2], 4e-3 * values[2]))

@@ -136,8 +136,8 @@ class Kernel:
                                   (module.name, {*module.constants, *module.functions})]:
                 imported.setdefault(home, set()).update(names & set(offered))
         lines = [f'"""Tangents of {place}.py."""', ""]
-        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "exp", "fabs", "isfinite", "log", "pi",
-                                     "sin", "sqrt"})
+        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "exp", "fabs", "isfinite", "log",
+                                     "pi", "sin", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")
         lines += [f"from .{home} import {', '.join(sorted(names))}"

@@ -9,7 +9,8 @@ FRICTION_LIMIT = 2.0
 
 FRICTION = tuple(
     Input(f"{side}.friction", "1", 0.3, "coefficient of friction; read where the tangential_model is not "
-          "none", 0.0, FRICTION_LIMIT, start=0.3, field=f"{side}_friction", place=f"{side.capitalize()} wheel")
+          "none", 0.0, FRICTION_LIMIT, start=0.3, field=f"{side}_friction",
+          place=f"{side.capitalize()} wheel")
     for side in ("left", "right"))
 
 
@@ -39,7 +40,7 @@ class Friction(Checked):
         1.0, 0.01, 1.0, "1", "Initial slope of the creep force over that of clean rails; 1: clean (k0 of "
         "Spiryagin, Polach, Cole 2013)")
     slope_reduction_floor: float = number(
-        0.02, 0.0, 1.0, "1", "Share of the slope that is left at large creepage where slope_reduction_rate is "
-        "above 0 (alpha)", nominal=0.1)
+        0.02, 0.0, 1.0, "1", "Share of the slope that is left at large creepage where slope_reduction_rate "
+        "is above 0 (alpha)", nominal=0.1)
     slope_reduction_rate: float = number(
         0.0, 0.0, 10.0, "1", "How fast the slope falls with creepage; 0: it does not (beta)", nominal=1.0)

@@ -105,8 +105,8 @@ SIDE = (
     Run("pressure", "Pa", 1e9, "contact pressure on the centre line of the patch at the station", 0.0),
     Run("shear", "Pa", 1e8, "creep force per area, mean over the length of the patch at the station", 0.0,
         follows=ANSWERED),
-    Run("slip", "m/s", 0.01, "sliding velocity at the station, such that shear times slip is the friction power "
-        "per area", 0.0, follows=ANSWERED),
+    Run("slip", "m/s", 0.01, "sliding velocity at the station, such that shear times slip is the friction "
+        "power per area", 0.0, follows=ANSWERED),
 )
 
 #: Outputs of the wheelset, ahead of those of the left and then the right wheel.
@@ -122,8 +122,8 @@ WHEELSET = (
            field="normal_part", follows=ANSWERED),
     Vector("normal.moment", "N.m", 1e4, "Moment of this part about the wheelset's centre, around the axis "
            "{axis}", field="normal_moment", follows=ANSWERED),
-    Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they turn "
-           "the wheels forward", follows=ANSWERED),
+    Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they "
+           "turn the wheels forward", follows=ANSWERED),
 )
 
 SIDES = ("left", "right")

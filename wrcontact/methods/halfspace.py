@@ -27,6 +27,7 @@ class Halfspace(NormalModel):
             "lateral_curvature": "adaptive",
         },
         "has no damping": {"contact_damping": 0.0},
+        "has no friction": {"tangential_model": "none"},
     }
 
     tolerance: float | None = tolerance_from(3e-4)

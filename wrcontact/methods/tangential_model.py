@@ -12,8 +12,8 @@ class TangentialModel(Method):
 
 def published_spin():
     """The field ``published_spin``."""
-    return whole(0, 0, 1, "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and FaStrip "
-                 "were published; 0: that of longitudinal creepage, which is closer to the complete theory")
+    return whole(0, 0, 1, "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and "
+                 "FaStrip were published; 0: that of longitudinal creepage, which is closer to the complete theory")
 
 
 @frozen
@@ -74,6 +74,7 @@ class HalfspaceRolling(TangentialModel):
     """
 
     name = "halfspace"
-    kernel_number = NoTangential.kernel_number     # its forces are computed outside the kernel
+    kernel_number = Polach.kernel_number    # whose forces are then replaced by its own
     words = "complete theory of steady rolling on the half-space"
     python_only = True
+    needs = {"is computed once for each load": {"load": "normal"}}

@@ -2,14 +2,15 @@
  *
  * Creep forces of a wheelset whose contact is solved and whose creepages are known.
  *
- * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then the
- * tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field side is
- * the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the wheel; on
- * the left they are the same:
+ * For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then
+ * the tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field
+ * side is the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the
+ * wheel; on the left they are the same:
  *
  *     xi' = xi,   eta' = -+ eta,   phi' = -+ phi,   M = -+ M'       (upper sign: right)
  *
- * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep forces.
+ * Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep
+ * forces.
  */
 
 #include "creep_forces.h"
@@ -62,9 +63,16 @@ static inline int64_t creep_forces__write_side_creep(array_double_1d tables, arr
             creep_forces__add_creep(work, side, to, mirror);
         }
     }
+    creep_forces__write_side_wear(tables, work, index);
+    return INT64_C(0);
+}
+
+/* Shear and slip over the outline of side ``index``, where that is wanted. */
+static inline int64_t creep_forces__write_side_wear(array_double_1d tables, array_double_1d work, int64_t index)
+{
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), rolling);
+        wear_outline__write_wear(work, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index);
     }
     return INT64_C(0);
 }

@@ -72,8 +72,8 @@ static inline int64_t requested__is_rail_far(array_double_1d work)
     return far;
 }
 
-/* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what is
- * left to the normal forces (friction_load.py).
+/* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
+ * is left to the normal forces (friction_load.py).
  */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {

@@ -43,9 +43,16 @@ static inline int64_t tangent_creep_forces__write_side_creep_t(array_double_1d t
             tangent_creep_forces__add_creep_t(work, work_t, side, to, mirror, 0.0);
         }
     }
+    tangent_creep_forces__write_side_wear_t(tables, work, work_t, index);
+    return INT64_C(0);
+}
+
+/* Tangent of ``write_side_wear``. */
+static inline int64_t tangent_creep_forces__write_side_wear_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+{
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        tangent_wear_outline__write_wear_t(work, work_t, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), rolling);
+        tangent_wear_outline__write_wear_t(work, work_t, outlines__outline_place(tables, work, index), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), layout__WORK_ROLLING_SIDES + layout__ROLLING_SIDE_SIZE * index);
     }
     return INT64_C(0);
 }

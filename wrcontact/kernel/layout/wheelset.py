@@ -17,7 +17,7 @@ class Support:
     height: float                   # the vertical shift at which it carries its load [m]
     lever: float                    # how that follows the roll [m]
     resultant: Resultant            # force on the wheel and its moment about the track's origin
-    friction_load: float            # the load that its normal forces are to carry, over that of the inputs [-]
+    friction_load: float            # what its normal forces are to carry, over the load of the inputs [-]
     load_before: float              # the one before [-],
     share_before: float             # and what share of the wanted force it has given [-]
 

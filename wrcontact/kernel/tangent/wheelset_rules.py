@@ -197,8 +197,8 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: 
 
 
 def follow_load(work: Work):
-    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken to
-    grow as the load, and what is left of its rate after one turn is put right in the next."""
+    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken
+    to grow as the load, and what is left of its rate after one turn is put right in the next."""
     for index in range(2):
         support = work.supports[index]
         share = carried_share(work, index)
@@ -208,8 +208,8 @@ def follow_load(work: Work):
 
 
 def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
-    """Contact of both wheels, resultant, creepages and creep forces with their rates; 1 where the rates are not
-    defined, else 0."""
+    """Contact of both wheels, resultant, creepages and creep forces with their rates; 1 where the rates are
+    not defined, else 0."""
     mode = right_tables.mode
     outcome = 0
     if mode == MODE_RIGID:

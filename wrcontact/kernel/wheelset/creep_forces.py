@@ -1,13 +1,14 @@
 """Creep forces of a wheelset whose contact is solved and whose creepages are known.
 
-For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then the
-tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field side is
-the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the wheel; on
-the left they are the same:
+For each reported patch: its friction and the creepage of each strip, which has its own rolling radius; then
+the tangential model, and its force and moment on the wheel in the track frame.  On the right y to the field
+side is the opposite of the creepages' y_c, and the normal x times y that of the normal n from the rail to the
+wheel; on the left they are the same:
 
     xi' = xi,   eta' = -+ eta,   phi' = -+ phi,   M = -+ M'       (upper sign: right)
 
-Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep forces.
+Normal forces of a body of revolution go through its axle; the torque about the axle is that of the creep
+forces.
 """
 
 from math import cos, fabs, sin, sqrt
@@ -61,8 +62,15 @@ def write_side_creep(tables: Tables, work: Work, index: int, friction: float):
             solve_tangential(tables, patch)
             write_creep(patch, to, mirror, limit)
             add_creep(work.motion, work.outputs, side, to, mirror)
+    write_side_wear(tables, work, index)
+    return 0
+
+
+def write_side_wear(tables: Tables, work: Work, index: int):
+    """Shear and slip over the outline of side ``index``, where that is wanted."""
     if tables.depth == DEPTH_ALL:
-        write_wear(Outline.at(work, outline_place(tables, work, index)), tables.stations, rolling)
+        write_wear(Outline.at(work, outline_place(tables, work, index)), tables.stations,
+                   work.rolling_sides[index])
     return 0
 
 

@@ -3,10 +3,10 @@
     mu = mu_side f(gamma) [(1 - A) exp(-B w) + A]                 Polach (2005)
     k  = k0 [alpha + (1 - alpha) / (1 + beta epsilon)]            Spiryagin, Polach, Cole (2013)
 
-with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the sliding
-velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4 mu N).
-The flexibility of the contact is divided by k; as the models know it only beside the creepages, these are
-multiplied by k.
+with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the
+sliding velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
+mu N). The flexibility of the contact is divided by k; as the models know it only beside the creepages, these
+are multiplied by k.
 """
 
 from math import exp, fabs, sqrt

@@ -67,8 +67,8 @@ def is_rail_far(inputs: Inputs):
 
 
 def side_force(work: Work, index: int):
-    """The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what is
-    left to the normal forces (friction_load.py)."""
+    """The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
+    is left to the normal forces (friction_load.py)."""
     sign = float(2 * index - 1)
     return (work.inputs.normal_force * (1.0 + sign * work.inputs.load_transfer)
             * work.supports[index].friction_load)

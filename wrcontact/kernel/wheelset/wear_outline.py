@@ -5,8 +5,8 @@ Of a strip with the creep force F_i and the power P_i per width and the half-len
     shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
 
 so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
-edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the middles
-of strips both follow straight lines; a strip that would gain power counts as one that sticks.
+edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
+middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
 """
 
 from math import sqrt

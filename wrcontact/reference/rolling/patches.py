@@ -1,5 +1,5 @@
-"""A solved patch of the kernel as an outline in its station frame: x forward, y the station, to the field side
-on both sides of the track; the origin is its centre of load."""
+"""A solved patch of the kernel as an outline in its station frame: x forward, y the station, to the field
+side on both sides of the track; the origin is its centre of load."""
 
 import numpy as np
 

@@ -1,0 +1,84 @@
+"""Random wheelsets with friction, two different sides, rails that are displaced and roll, and motions of all
+sizes: what has to hold of creep forces.  A failure prints the line of Python that is its pose."""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.contact_fuzz import amounts
+from tests.helpers.fuzzing import log_uniform
+from tests.motion.test_fuzz_all import MODES, SIDES, assert_none, draw_poses, draw_wheelset, mirrored
+from wrcontact.status import Status
+
+MODELS = ("fastsim", "polach")
+
+
+def draw_friction(rng, wheelset, count):
+    """A wheelset with a tangential model, whose friction falls and whose slope is reduced now and then; and
+    the friction (count,) of both sides, of all sizes."""
+    found = dict(wheelset, tangential_model=str(rng.choice(MODELS)), load=str(rng.choice(("normal", "vertical"))),
+                 friction_fall=float(rng.choice((1.0, 0.4))), friction_fall_rate=float(rng.choice((0.0,
+                 0.6))), flange_friction_ratio=float(rng.choice((1.0, 0.2))),
+                 slope_reduction=float(rng.choice((1.0, 0.5))), slope_reduction_rate=float(rng.choice((0.0,
+                 0.64))), poisson_ratio=float(rng.choice((0.25, 0.27, 0.28, 0.3, 0.4))))
+    return found, {f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0, log_uniform(rng, 1e-3, 1.0, count))
+                   for side in SIDES}
+
+
+def patches_of(table):
+    """(Side, number, friction's limit as a whole, patch) of all patches."""
+    for name in SIDES:
+        for number, patch in enumerate(getattr(table, name).patches):
+            yield name, number, patch
+
+
+def check_creep(wheelset, given, table):
+    """Sizes, powers and sums of one batch; poses (n,) that have a result."""
+    check = dict(wheelset=wheelset, given=given)
+    good = table.status <= Status.UNLOADED
+    assert_none(good & ~np.isfinite(table.values).all(axis=-1), what="not a number", **check)
+    for name, number, patch in patches_of(table):
+        what = f"{name}.patch[{number + 1}]"
+        # the flange's ratio and the fall only take friction away
+        limit = given[f"{name}_friction"] * patch.normal_force
+        force = np.hypot(patch.tangential.x, patch.tangential.y)
+        assert_none(good & (force > limit * (1 + 1e-12)), what=f"{what}: a force above friction", **check)
+        for share in ("stick_share", "saturation"):
+            value = getattr(patch, share)
+            assert_none(good & ~((value >= 0) & (value <= 1 + 1e-12)), what=f"{what}: {share}", measure=value,
+                        **check)
+        assert_none(good & ~(patch.max_shear >= 0.0), what=f"{what}: a negative traction", **check)
+        # of what friction takes at most: the whole of it, at the speed of the inputs and the wheels
+        most = limit * (np.abs(given["speed"]) + np.abs(given["wheel_rate"]) * patch.rolling_radius)
+        power = patch.friction_power / (1e-12 + most)
+        assert_none(good & (power < -1e-4), what=f"{what}: friction drives", measure=power, **check)
+    return good
+
+
+@pytest.mark.parametrize("mode", MODES)
+@amounts((6, 50), (20, 100), (40, 500))
+def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
+    off = []
+    for number in range(scenes):
+        rng = np.random.default_rng([seed, 77, MODES.index(mode), number])
+        wheelset = draw_wheelset(rng, mode)
+        given = draw_poses(rng, wheelset, poses)
+        wheelset, friction = draw_friction(rng, wheelset, poses)
+        given |= friction
+        table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
+        good = check_creep(wheelset, given, table)
+        other_wheelset, other = mirrored(wheelset, {name: values for name, values in given.items()
+                                                    if name not in friction})
+        other |= {f"{side}_friction": friction[f"{turned}_friction"] for side, turned in zip(SIDES, SIDES[::-1])}
+        there = wrcontact.ContactSystem(**other_wheelset).evaluate_many(**other)
+        assert good.mean() > 0.7
+        both = good & (there.status <= Status.UNLOADED)
+        for one, twin, name in ((table.left, there.right, "left"), (table.right, there.left, "right")):
+            for mine, its in zip(one.patches, twin.patches):
+                same = both & (np.abs(mine.normal_force - its.normal_force) <= 1e-9 * mine.normal_force)
+                limit = 1e-9 + given[f"{name}_friction"] * mine.normal_force
+                off.append((np.hypot(mine.tangential.x - its.tangential.x, mine.tangential.y - its.tangential.y)
+                            / limit)[same])
+    off = np.concatenate(off)
+    # creepages agree to rounding, which large ones and small forces magnify
+    assert np.quantile(off, 0.999) < 1e-6 and off.max() < 1e-2
