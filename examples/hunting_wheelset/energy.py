@@ -18,6 +18,7 @@ from .profiles import cone_wheel
 
 STEPS = (4e-4, 2e-4, 1e-4, 5e-5)        # [s]
 DURATION = 0.4                          # [s]
+SETTLE = 0.05                           # [s] in which the wheelset finds its rotation, in the smallest steps
 #: A swing of 3 mm on cones of 1:20, at 20 m/s on soft springs.
 WHEELSET = {"frame_speed": 20.0, "start_lateral_shift": 3e-3, "longitudinal_stiffness": 2e5,
             "lateral_stiffness": 1e5, "lateral_damping": 1e3}
@@ -45,6 +46,7 @@ def study(archives, derivatives, steps=STEPS, wheelset=WHEELSET, contact=RAILS, 
     errors, worst = [], 0
     for step in steps:
         with Loop(archives, wheelset, contact, seen=("energy", "supply")) as loop:
+            loop.run(SETTLE, steps[-1])
             run = loop.run(duration, step, derivatives=derivatives)
         error, exchanged = balance(run)
         errors.append(error)
