@@ -10,7 +10,7 @@ from tests.helpers.fuzzing import log_uniform
 from tests.motion.test_fuzz_all import MODES, SIDES, assert_none, draw_poses, draw_wheelset, mirrored
 from wrcontact.status import Status
 
-MODELS = ("fastsim", "polach")
+MODELS = ("polach", "fastsim", "fastrip", "strips")
 
 
 def draw_friction(rng, wheelset, count):

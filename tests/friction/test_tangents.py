@@ -33,8 +33,9 @@ PARAMETERS = {
     "falling friction": {"friction_fall": 0.4, "friction_fall_rate": 0.6, "flange_friction_ratio": 0.5,
                          "slope_reduction": 0.6, "slope_reduction_rate": 0.6},
 }
-#: Of a derivative's size; points of FASTSIM come to slide one by one, each with a kink.
-AGREE = {"polach": 1e-4, "fastsim": 2e-2, "strips": 1e-3}
+#: Of a derivative's size; points of FASTSIM come to slide one by one, each with a kink,
+#: and there are kinks where a point of the strips passes the edge of the stick zone.
+AGREE = {"polach": 1e-4, "fastsim": 2e-2, "strips": 5e-3}
 
 
 def moving_row(parameters, shift, yaw):
@@ -47,7 +48,7 @@ def moving_row(parameters, shift, yaw):
     return row
 
 
-@pytest.mark.parametrize("model", ["polach", "fastsim"])
+@pytest.mark.parametrize("model", ["polach", "fastsim", "strips"])
 @pytest.mark.parametrize("case", PARAMETERS)
 def test_derivatives(case, model):
     """With respect to every input: central differences over three steps, of which one is to be met."""

@@ -110,6 +110,7 @@ def model_tables(number, youngs_modulus, poisson_ratio):
     tables = layout.Tables.at(array)
     tables.tangential = number
     tables.shear_modulus = youngs_modulus / (2.0 * (1.0 + poisson_ratio))
+    tables.parameters.poisson_ratio = poisson_ratio
     tables.rolling = layout.SETTING_COUNT
     fixed.append_rolling(tables, layout.SETTING_COUNT, memoryview(fixed_tables()), poisson_ratio)
     return array

@@ -28,7 +28,7 @@ class NoTangential(TangentialModel):
 @frozen
 class CoupledStrips(TangentialModel):
     """Coupled strips with a correction from exact solutions of ellipses
-    (wrcontact/kernel/tangential/strips.py)."""
+    (wrcontact/kernel/tangential/coupled_strips.py)."""
 
     name = "strips"
     kernel_number = 1

@@ -10,8 +10,13 @@ from .influence_table import influence_table
 from .rolling_table import rolling_table
 
 
-@lru_cache(maxsize=1)
-def fixed_tables():
-    """Sizes of the tables, then the tables (n,)."""
-    tables = hertz_table(), influence_table(), rolling_table()
+@lru_cache(maxsize=2)
+def fixed_tables(rolling=True):
+    """Sizes of the tables, then the tables (n,); without ``rolling`` the table of rolling is empty."""
+    tables = hertz_table(), influence_table(), rolling_table() if rolling else np.zeros(0)
+    return joined(*tables)
+
+
+def joined(*tables):
+    """Sizes, then the tables (n,)."""
     return np.concatenate([[float(len(table)) for table in tables], *tables])

@@ -90,6 +90,14 @@ def hermite(low, high, rise, fall, x):
                                   + x * (rise + fall - 2.0 * (high - low))))
 
 
+def hermite_cubic(value, slope):
+    """Rows (cell, power) of the cubics with these values and slopes, per cell, at the ends of the cells
+    (n,)."""
+    low, high, rise, fall = value[:-1], value[1:], slope[:-1], slope[1:]
+    return np.stack([low, rise, 3.0 * (high - low) - 2.0 * rise - fall, rise + fall - 2.0 * (high - low)],
+                    axis=-1)
+
+
 def parabola_weights(nodes, nu):
     """Weights (3,) of the values at three nodes in the parabola through them at ``nu``."""
     one, two, three = nodes

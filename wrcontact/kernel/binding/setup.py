@@ -64,8 +64,9 @@ def left_setup(parameters, methods):
 def prepare_side(setup, wheel_definition, rail_definition, wheel, rail):
     """The tables (n,) of one side without starts and methods, for definitions of the profiles ``wheel`` and
     ``rail``."""
+    rolling = setup[PLACES["tangential_model"]] != layout.TANGENTIAL_NONE
     outcome, tables, report = default_kernel().prepare(setup, wheel_definition, rail_definition,
-                                                       fixed_tables())
+                                                       fixed_tables(bool(rolling)))
     if outcome == prepare_tables.PREPARED:
         return tables
     raise ValueError(refusal(outcome, report, wheel.name, rail.name))

@@ -15,13 +15,21 @@ static inline int64_t tangent_tangential_contact__solve_tangential_t(array_doubl
         {
             tangent_tangential_contact__mirror_rolling_t(work, work_t, rolling);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            tangent_polach__solve_polach_t(work, work_t, tables, rolling);
+            tangent_coupled_strips__solve_strips_t(work, work_t, tables, rolling);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
             tangent_fastsim__solve_fastsim_t(work, work_t, tables, rolling);
+        }
+        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTRIP)
+        {
+            tangent_fastrip__solve_fastrip_t(work, work_t, tables, rolling);
+        }
+        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        {
+            tangent_polach__solve_polach_t(work, work_t, tables, rolling);
         }
         if ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BACKWARDS)) == 1.0)
         {

@@ -8,6 +8,8 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "tangent_coupled_strips.h"
+#include "tangent_fastrip.h"
 #include "tangent_fastsim.h"
 #include "tangent_polach.h"
 

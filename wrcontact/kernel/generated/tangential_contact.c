@@ -19,13 +19,21 @@ static inline int64_t tangential_contact__solve_tangential(array_double_1d work,
         {
             tangential_contact__mirror_rolling(work, rolling);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            polach__solve_polach(work, tables, rolling);
+            coupled_strips__solve_strips(work, tables, rolling);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
             fastsim__solve_fastsim(work, tables, rolling);
+        }
+        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTRIP)
+        {
+            fastrip__solve_fastrip(work, tables, rolling);
+        }
+        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        {
+            polach__solve_polach(work, tables, rolling);
         }
         if ((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BACKWARDS)) == 1.0)
         {

@@ -7,6 +7,8 @@
 #define WRCONTACT_KERNEL_TANGENTIAL_CONTACT_H
 
 #include "../native/spans.h"
+#include "coupled_strips.h"
+#include "fastrip.h"
 #include "fastsim.h"
 #include "layout.h"
 #include "polach.h"

@@ -7,7 +7,7 @@ velocity of the wheel against the rail over the rolling speed.
 from typing import Final
 
 from .interface import PATCH_LIMIT
-from .record import Float, record
+from .record import Float, record, run
 
 ROLLING_STRIP_LIMIT: Final[int] = 16
 
@@ -15,8 +15,25 @@ ROLLING_STRIP_LIMIT: Final[int] = 16
 SHAPE_START: Final[float] = -3.0
 SHAPE_PER_UNIT: Final[float] = 4.0
 SHAPE_CELLS: Final[int] = 28
-SHAPE_COLUMNS: Final[int] = 3        # 1/C11, 1/C22, 1/C23
+SHAPE_COLUMNS: Final[int] = 6        # 1/C11, 1/C22, 1/C23 and the factors of strips' stiffnesses
 SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
+# how strips of tractions reach beside themselves, over ln(distance / half-length), likewise
+REACH_START: Final[float] = -7.5
+REACH_PER_UNIT: Final[float] = 8.0
+REACH_CELLS: Final[int] = 93
+REACH_COLUMNS: Final[int] = 3        # longitudinal, lateral, spin
+REACH_ROW: Final[int] = 4 * REACH_COLUMNS
+# what exact forces of ellipses differ from the strips' by, over ln(a/b) and the saturation in polar
+# coordinates; the last ones are r / (1 + r) with 0 and 1
+CORRECTION_RATIOS: Final[int] = 9
+CORRECTION_ELEVATIONS: Final[int] = 5
+CORRECTION_AZIMUTHS: Final[int] = 13
+CORRECTION_RADII: Final[int] = 12
+CORRECTION_COLUMNS: Final[int] = 3   # force_x, force_y over mu N, moment over mu N sqrt(ab)
+CORRECTION_SCALES: Final[int] = 3 * CORRECTION_RATIOS
+CORRECTION_LINE: Final[int] = CORRECTION_RADII * CORRECTION_COLUMNS
+CORRECTION_SIZE: Final[int] = (CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS
+                               * CORRECTION_LINE)
 
 POINT_LIMIT: Final[int] = 16         # points of a strip, from its leading edge
 
@@ -28,6 +45,12 @@ class RollingTable:
     cosines: Float * POINT_LIMIT    # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
     sines: Float * POINT_LIMIT      # and sqrt(1 - (x/a)^2) there
     shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
+    reaches: Float * (REACH_ROW * REACH_CELLS)
+    first_distance: float           # below it reaches are proportional to the distance
+    first_reaches: Float * REACH_COLUMNS
+    radii: Float * CORRECTION_RADII
+    scales: Float * CORRECTION_SCALES
+    corrections: Float * CORRECTION_SIZE
 
 
 @record
@@ -51,6 +74,61 @@ class RollingStrip:
     moment: float                   # and moment of the lateral one about the patch's point, per width [N]
 
 
+BLOCK_COUNT: Final[int] = 8          # pairs of strips, for which stiffnesses are found
+
+
+@record
+class RollingBlock:
+    """A pair of strips."""
+
+    start: float                    # stations of its edges [m]
+    stop: float
+    half_length: float              # [m]
+    along: float                    # its stiffnesses K1, K2, K3 [Pa], eq. (K3)
+    across: float
+    turning: float
+
+
+#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the solution.
+BlockRow = run(BLOCK_COUNT + 1)
+BlockMatrix = BlockRow * BLOCK_COUNT
+RollingBlocks = RollingBlock * BLOCK_COUNT
+
+
+@record
+class RollingMarch:
+    """A strip while its tractions are followed from the leading edge on; equations of slip_march.py."""
+
+    half_length: float              # a [m]
+    rate: float                     # m, bound of the traction over sqrt(a^2 - x^2) [Pa/m]
+    slip: float                     # w_x [-]
+    lateral: float                  # w_y on its middle [-]
+    spin: float                     # [1/m]
+    along: float                    # stiffnesses K1, K2, K3 [Pa]
+    across: float
+    turning: float
+    weight: float                   # c, how much the stick zone counts; 0: the strip slips all over
+    depth: float                    # d, half the length of the slip zone [m]
+    stick_x: float                  # e, direction of the stick zone's traction
+    stick_y: float
+    twist: float                    # k, share of spin in it
+    edge: float                     # where the stick zone begins, -a + 2 d [m]
+    push_x: Float * 2               # what the traction loses per way [Pa/m], of the two marches: along,
+    push_y: Float * 2               # across on the middle,
+    push_turn: Float * 2            # and across per distance from it [Pa/m^2]
+    lag: float                      # where in a step the spin is taken, of the step
+    share: float                    # W, of the second march in the direction of slip
+    x: float                        # where the marches have come to [m]
+    first_x: float                  # tractions of both [Pa]
+    first_y: float
+    second_x: float
+    second_y: float
+    sum_x: float                    # sums of tractions over the points,
+    sum_y: float
+    sum_moment: float               # and of x p_y
+    largest: float                  # square of the largest traction [Pa^2]
+
+
 @record
 class RollingPatch:
     """What a model of creep forces reads, and what it finds."""
@@ -67,6 +145,11 @@ class RollingPatch:
     backwards: bool                 # whether it rolls towards -x
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
     strips: RollingStrip * ROLLING_STRIP_LIMIT
+    blocks: RollingBlocks
+    equations_x: BlockMatrix        # of the blocks, for longitudinal and lateral creepage and for spin
+    equations_y: BlockMatrix
+    equations_spin: BlockMatrix
+    march: RollingMarch
     force_x: float                  # what is found: force on the wheel [N]
     force_y: float
     moment: float                   # and moment about the normal through the point [N m]

@@ -1,12 +1,27 @@
 """Tables that do not depend on the profiles, from the array ``fixed`` (binding/fixed_tables.py).
 
-It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for each of three
-Poisson's ratios.  The tables follow one after the other.
+It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's
+ratios (binding/rolling_table.py).  The tables follow one after the other.
 """
 
+from math import exp
 from typing import Final
 
-from ..layout import POINT_LIMIT, ROLLING_TABLE_SIZE, SHAPE_CELLS, SHAPE_ROW, Tables
+from ..layout import (
+    CORRECTION_RADII,
+    CORRECTION_SCALES,
+    CORRECTION_SIZE,
+    POINT_LIMIT,
+    REACH_CELLS,
+    REACH_COLUMNS,
+    REACH_ROW,
+    REACH_START,
+    ROLLING_TABLE_SIZE,
+    SHAPE_CELLS,
+    SHAPE_ROW,
+    RollingTable,
+    Tables,
+)
 from .pieces import FULL
 
 FIXED_HERTZ: Final[int] = 0
@@ -14,10 +29,14 @@ FIXED_INFLUENCE: Final[int] = 1
 FIXED_ROLLING: Final[int] = 2
 FIXED_COUNT: Final[int] = 3
 
-#: Poisson's ratios of Kalker's table, eq. in binding/kalker_table.py.
+#: Poisson's ratios of Kalker's table (binding/kalker_table.py).
 LOW_RATIO: Final[float] = 0.0
 MIDDLE_RATIO: Final[float] = 0.25
 HIGH_RATIO: Final[float] = 0.5
+#: Poisson's ratios of the corrections; below and above they are those of the ends.
+FIRST_CORRECTION: Final[float] = 0.25
+SECOND_CORRECTION: Final[float] = 0.28
+THIRD_CORRECTION: Final[float] = 0.30
 
 
 def fixed_table(fixed: 'float[:]', index: int):
@@ -55,11 +74,58 @@ def append_rolling(tables: Tables, at: int, fixed: 'float[:]', poisson_ratio: fl
     for i in range(POINT_LIMIT):
         tables.rolling.cosines[i] = fixed[first + i]
         tables.rolling.sines[i] = fixed[first + POINT_LIMIT + i]
-    first += 2 * POINT_LIMIT
+    first = write_shapes(tables.rolling, fixed, first + 2 * POINT_LIMIT, poisson_ratio)
+    first = write_reaches(tables.rolling, fixed, first, poisson_ratio)
+    write_corrections(tables.rolling, fixed, first, poisson_ratio)
+    return at + ROLLING_TABLE_SIZE
+
+
+def write_shapes(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them."""
     size = SHAPE_ROW * SHAPE_CELLS
     low, middle, high = parabola_weights(LOW_RATIO, MIDDLE_RATIO, HIGH_RATIO, poisson_ratio)
-    shapes = tables.rolling.shapes
     for i in range(size):
-        shapes[i] = (low * fixed[first + i] + middle * fixed[first + size + i]
-                     + high * fixed[first + 2 * size + i])
-    return at + ROLLING_TABLE_SIZE
+        table.shapes[i] = (low * fixed[first + i] + middle * fixed[first + size + i]
+                           + high * fixed[first + 2 * size + i])
+    return first + 3 * size
+
+
+def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them."""
+    cells = REACH_ROW * REACH_CELLS
+    size = cells + REACH_COLUMNS
+    for i in range(size):
+        column = i - cells
+        if i < cells:
+            column = i // 4 % REACH_COLUMNS
+        weight = poisson_ratio
+        if column == 0:
+            weight = poisson_ratio / (1.0 - poisson_ratio)
+        value = fixed[first + i] + weight * fixed[first + size + i]
+        if i < cells:
+            table.reaches[i] = value
+        else:
+            table.first_reaches[column] = value
+    table.first_distance = exp(REACH_START)
+    return first + 2 * size
+
+
+def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The corrections, parabolas of Poisson's ratio, from ``first`` on."""
+    ratio = poisson_ratio
+    if ratio < FIRST_CORRECTION:
+        ratio = FIRST_CORRECTION
+    if ratio > THIRD_CORRECTION:
+        ratio = THIRD_CORRECTION
+    for i in range(CORRECTION_RADII):
+        table.radii[i] = fixed[first + i]
+    low, middle, high = parabola_weights(FIRST_CORRECTION, SECOND_CORRECTION, THIRD_CORRECTION, ratio)
+    at = first + CORRECTION_RADII
+    for i in range(CORRECTION_SCALES):
+        table.scales[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SCALES + i]
+                           + high * fixed[at + 2 * CORRECTION_SCALES + i])
+    at += 3 * CORRECTION_SCALES
+    for i in range(CORRECTION_SIZE):
+        table.corrections[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SIZE + i]
+                                + high * fixed[at + 2 * CORRECTION_SIZE + i])
+    return 0

@@ -1,6 +1,15 @@
 """The creep force of a patch by the chosen model."""
 
-from ..layout import TANGENTIAL_FASTSIM, TANGENTIAL_POLACH, RollingPatch, Tables
+from ..layout import (
+    TANGENTIAL_FASTRIP,
+    TANGENTIAL_FASTSIM,
+    TANGENTIAL_POLACH,
+    TANGENTIAL_STRIPS,
+    RollingPatch,
+    Tables,
+)
+from .coupled_strips import solve_strips
+from .fastrip import solve_fastrip
 from .fastsim import solve_fastsim
 from .polach import solve_polach
 
@@ -15,10 +24,14 @@ def solve_tangential(tables: Tables, rolling: RollingPatch):
     if rolling.load > 0.0 and rolling.friction > 0.0 and rolling.half_length > 0.0:
         if rolling.backwards:
             mirror_rolling(rolling)
-        if tables.tangential == TANGENTIAL_POLACH:
-            solve_polach(tables, rolling)
+        if tables.tangential == TANGENTIAL_STRIPS:
+            solve_strips(tables, rolling)
         elif tables.tangential == TANGENTIAL_FASTSIM:
             solve_fastsim(tables, rolling)
+        elif tables.tangential == TANGENTIAL_FASTRIP:
+            solve_fastrip(tables, rolling)
+        elif tables.tangential == TANGENTIAL_POLACH:
+            solve_polach(tables, rolling)
         if rolling.backwards:
             mirror_rolling(rolling)
     return 0

@@ -1,0 +1,73 @@
+"""The nodes at which exact forces of ellipses are stored, and what the kernel's strips give there."""
+
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from ..kernel import layout
+from ..kernel.binding.reach_table import stored
+from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
+from ..kernel.prepare import fixed
+from .forces import roll
+from .patch import elliptic_patch
+
+#: Where the exact forces are stored (tools/make_rolling_tables.py).
+EXACT = Path(__file__).parents[1] / "kernel" / "data"
+#: The forces over mu N do not depend on these.
+SHEAR_MODULUS, MEAN_AXIS, FORCE, FRICTION = 80e9, 5e-3, 1e5, 0.3
+
+
+def exact_forces(nu, folder=EXACT):
+    """The stored arrays for a Poisson's ratio, by name; ``forces`` is (ratio, beta, alpha, rho, column)."""
+    with np.load(Path(folder, f"rolling_nu{100 * nu:03.0f}.npz")) as found:
+        return {name: found[name] for name in found.files}
+
+
+@lru_cache(maxsize=4)
+def uncorrected_tables(nu):
+    """The kernel's tables (n,) of strips without correction."""
+    array = np.zeros(layout.SETTING_COUNT + layout.ROLLING_TABLE_SIZE)
+    tables = layout.Tables.at(array)
+    tables.tangential, tables.shear_modulus = layout.TANGENTIAL_STRIPS, SHEAR_MODULUS
+    tables.parameters.poisson_ratio = nu
+    tables.rolling = layout.SETTING_COUNT
+    table = assemble(stored()["factors"], uncorrected())
+    sizes = [0.0] * fixed.FIXED_ROLLING + [float(len(table))]
+    fixed.append_rolling(tables, layout.SETTING_COUNT, memoryview(np.concatenate([sizes, table])), nu)
+    return array
+
+
+def strip_forces(exact, nu):
+    """Force and moment by uncorrected strips at the nodes of ``exact`` (ratio, beta, alpha, rho, 3), over
+    mu N and mu N sqrt(ab)."""
+    beta, alpha, rho = np.meshgrid(exact["beta"], exact["alpha"], exact["rho"], indexing="ij")
+    direction = np.stack([np.sin(beta), np.cos(beta) * np.cos(alpha), np.cos(beta) * np.sin(alpha)], axis=-1)
+    bound = FRICTION * FORCE
+    scale = bound / (MEAN_AXIS**2 * SHEAR_MODULUS) / np.array([1.0, 1.0, MEAN_AXIS])
+    found = np.zeros(exact["forces"].shape[:-1] + (3,))
+    workspace = np.zeros(layout.WORK_SIZE)
+    rolling = layout.Work.at(workspace).rolling
+    tables = uncorrected_tables(nu)
+    for k, ratio in enumerate(exact["ratio"].tolist()):
+        patch = elliptic_patch(MEAN_AXIS * ratio**0.5, MEAN_AXIS * ratio**-0.5, FORCE, poisson_ratio=nu)
+        wide = np.array([1.0, 1.0, (1.0 + 0.66 * ratio**-2.7) ** 0.5])
+        creepages = -rho[..., None] * direction / wide * scale / exact["creep_coefficients"][k]
+        for place in np.ndindex(rho.shape):
+            rolling.creepage_x, rolling.creepage_y, rolling.spin = creepages[place]
+            rolling.friction = FRICTION
+            roll(patch, tables, workspace)
+            found[(k, *place)] = rolling.force_x, rolling.force_y, rolling.moment / MEAN_AXIS
+    return found / bound
+
+
+def corrections(folder=EXACT):
+    """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
+    all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
+    apart = [exact["forces"][..., :3] - strip_forces(exact, nu) for nu, exact in zip(CORRECTION_NODES, all_exact)]
+    numbers = np.rint(np.array(apart) / CORRECTION_UNIT)
+    if np.abs(numbers).max() > np.iinfo(np.int16).max:
+        raise ValueError(f"a correction is {np.abs(numbers).max() * CORRECTION_UNIT:.3g}, more than can be stored")
+    return {"correction": numbers.astype(np.int16), "nu": np.array(CORRECTION_NODES),
+            "creep_coefficients": np.array([exact["creep_coefficients"] for exact in all_exact]),
+            "ratio": all_exact[0]["ratio"], "rho": all_exact[0]["rho"]}

@@ -1,0 +1,91 @@
+"""Coupled strips: creep force of any patch, strip by strip.
+
+Each strip has its stick zone (stick_zone.py) and its slip zone (slip_march.py), with the stiffness that it
+has beside the others on one half-space (stiffness.py).  What an ellipse with the patch's area and length over
+width is known to differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
+
+    int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
+    int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
+
+in which the second root of eq. (Z1) is integrated exactly.
+"""
+
+from math import pi, sqrt
+
+from ..layout import RollingMarch, RollingPatch, RollingStrip, Tables
+from .correction import correct_force
+from .slip_march import march_strip, set_pushes
+from .stick_zone import find_stick_zone
+from .stiffness import find_stiffnesses, stiffnesses_at
+from .tractions import add_strip, bound_rate, patch_area, point_weight
+
+
+def solve_strips(tables: Tables, rolling: RollingPatch):
+    """Force, moment, stick share and largest traction of a patch."""
+    find_stiffnesses(tables, rolling)
+    add_strips(tables, rolling)
+    correct_force(tables, rolling)
+    return 0
+
+
+def add_strips(tables: Tables, rolling: RollingPatch):
+    """What the strips add up to, without correction."""
+    march = rolling.march
+    ratio = rolling.half_length / rolling.half_width
+    plane, spinning = flexibilities(rolling)
+    march.largest = 0.0
+    stuck = 0.0
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        rate = bound_rate(rolling, strip)
+        if rate > 0.0:
+            begin_march(rolling, strip, rate, i)
+            find_stick_zone(march, strip.width, ratio)
+            set_pushes(march, plane, spinning, ratio)
+            march_strip(tables.rolling, march)
+            finish_march(rolling, strip)
+            stuck += 2.0 * (march.half_length - march.depth) * march.weight * strip.width
+    rolling.max_shear = sqrt(march.largest)
+    rolling.stick_share = stuck / patch_area(rolling)
+    return 0
+
+
+def flexibilities(rolling: RollingPatch):
+    """i1/K1 and i3/K3 [1/m] of eq. (M3)."""
+    first = 0.0
+    second = 0.0
+    third = 0.0
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        area = strip.half_length * strip.width
+        first += area
+        second += area * strip.half_length
+        third += area * strip.half_length * strip.half_length
+    return 0.5 * pi * first / second, 0.75 * pi * second / third
+
+
+def begin_march(rolling: RollingPatch, strip: RollingStrip, rate: float, index: int):
+    """Creepages and stiffnesses of a strip."""
+    march = rolling.march
+    march.half_length = strip.half_length
+    march.rate = rate
+    march.slip = strip.slip
+    march.lateral = rolling.creepage_y + rolling.spin * strip.x
+    march.spin = rolling.spin
+    along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
+    march.along = along
+    march.across = across
+    march.turning = turning
+    return 0
+
+
+def finish_march(rolling: RollingPatch, strip: RollingStrip):
+    """Add the strip's force; eqs. (T1), (T2)."""
+    march = rolling.march
+    weight = point_weight(strip)
+    reach = march.half_length - march.depth
+    inner = march.weight * 0.5 * pi * march.rate * reach * reach
+    across = (march.stick_y - march.twist) * inner
+    add_strip(rolling, strip, weight * march.sum_x - march.stick_x * inner, weight * march.sum_y - across,
+              weight * march.sum_moment - across * march.depth)
+    return 0

@@ -1,0 +1,138 @@
+"""Where a strip sticks: strip theory with a bound, made continuous.
+
+In units of the bound's rate m the creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and
+k = -K3 phi / m.  The strip sticks from -a + 2 d to its leading edge a, with the traction
+
+    p = m (e sqrt(a^2 - x^2) - (e - (0, k)) sqrt((a - d)^2 - (x - d)^2))                         (Z1)
+    e = (u, v + k d) / d,   d^2 (1 - k^2) - 2 v k d - (U + v^2) = 0,   U = u^2 + s^2             (Z2)
+
+after Haines & Ollerton (1963) and Kalker (1967); without spin this is Carter's.  s^2 is twice the variance
+of u over the strip's width, and a floor in long patches, where all strips would begin to slip at once as k
+passes 1:
+
+    s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/6) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
+
+Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
+f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
+
+Where the stick zone of eq. (Z2) is about to be none, or asks for tractions beyond the bound at the leading
+edge, its weight c falls smoothly from 1 to 0, so that no force jumps:  with S(z) = z^2 (3 - 2 z),
+D = v^2 + (1 - k^2) U, t = sqrt(1 - d/a) and q = |e (1 - t) + (0, k) t|
+
+    c = S(D/v^2) (1 - S(q - 1)) S((1 - d/a) / 0.1)                                               (Z5)
+
+of which the first two count only for k^2 > 1, the first only for v k < 0.
+"""
+
+from math import fabs, sqrt
+from typing import Final
+
+from ..layout import RollingMarch
+
+#: E of eq. (Z4) in very long patches.
+LATER: Final[float] = 0.08
+#: Share of the strip over which its stick zone fades.
+FADE: Final[float] = 0.1
+#: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
+FLOOR: Final[float] = 0.3
+FLOOR_RATIO: Final[float] = 6.0
+FLOOR_TWIST: Final[float] = 1.5
+#: In place of no slip at all.
+NOTHING: Final[float] = 1e-300
+
+
+def find_stick_zone(march: RollingMarch, width: float, ratio: float):
+    """Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
+    ``ratio`` the patch's a/b."""
+    a = march.half_length
+    inverse = 1.0 / march.rate
+    u = -march.along * march.slip * inverse
+    v = -march.across * march.lateral * inverse
+    k = -march.turning * march.spin * inverse
+    spread = spread_square(march, width * inverse, k, ratio)
+    depth, first_weight = slip_depth(u * u + spread, v, k, a)
+    share = later_share(depth / a, ratio)
+    u *= share
+    v *= share
+    k *= share
+    depth, weight = slip_depth(u * u + share * share * spread, v, k, a)
+    if first_weight < weight:
+        weight = first_weight
+    march.depth = a
+    march.weight = 0.0
+    march.twist = k
+    march.stick_x = 0.0
+    march.stick_y = 0.0
+    if weight > 0.0 and depth < a:
+        march.depth = depth
+        march.stick_x = u / (depth + NOTHING)
+        march.stick_y = v / (depth + NOTHING) + k
+        march.weight = weight * smooth_step((1.0 - depth / a) / FADE) * edge_weight(march)
+    march.edge = 2.0 * march.depth - a
+    return 0
+
+
+def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
+    """s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m."""
+    over_width = march.along * march.spin * scale
+    twist = fabs(k)
+    if twist > FLOOR_TWIST:
+        twist = FLOOR_TWIST
+    long = ratio / FLOOR_RATIO
+    if long > 1.0:
+        long = 1.0
+    floor = FLOOR * long * twist * twist * march.half_length
+    return over_width * over_width / 6.0 + floor * floor
+
+
+def slip_depth(square: float, v: float, k: float, a: float):
+    """d of eq. (Z2) [m] for ``square`` = U, and the first factor of eq. (Z5); a weight of 0 is no stick
+    zone."""
+    rest = 1.0 - k * k
+    cross = v * k
+    spread = v * v + rest * square
+    depth = 2.0 * a
+    weight = 0.0
+    if spread > 0.0 or (rest > 0.0 and spread == 0.0):
+        root = sqrt(spread)
+        if cross <= 0.0:
+            depth = (square + v * v) / (root - cross + NOTHING)
+            weight = 1.0
+            if rest < 0.0:
+                weight = smooth_step(spread / (v * v + NOTHING))
+        elif rest > 0.0:
+            depth = (cross + root) / rest
+            weight = 1.0
+    return depth, weight
+
+
+def later_share(depth: float, ratio: float):
+    """The factor of eq. (Z4) for d/a = ``depth``."""
+    filled = 1.0
+    share = 1.0
+    if depth < 1.0:
+        filled = depth * (2.0 - depth)
+    if depth > 0.0:
+        share = 1.0 - 0.5 * LATER * ratio / (1.0 + ratio) * filled * (filled / depth)
+    return share
+
+
+def edge_weight(march: RollingMarch):
+    """The second factor of eq. (Z5)."""
+    weight = 1.0
+    if march.twist * march.twist > 1.0:
+        t = sqrt(1.0 - march.depth / march.half_length)
+        along = march.stick_x * (1.0 - t)
+        across = march.stick_y * (1.0 - t) + march.twist * t
+        weight = 1.0 - smooth_step(sqrt(along * along + across * across) - 1.0)
+    return weight
+
+
+def smooth_step(z: float):
+    """S: from 0 at 0 to 1 at 1."""
+    value = 0.0
+    if z >= 1.0:
+        value = 1.0
+    elif z > 0.0:
+        value = z * z * (3.0 - 2.0 * z)
+    return value
