@@ -28,7 +28,7 @@ from .wheelset import CONTACT_INPUTS, FORCES, MOTION
 TO_CONTACT = (*zip(MOTION, CONTACT_INPUTS), ("speed", "speed"), ("track_curvature", "track_curvature"))
 TO_WHEELSET = tuple(zip(FORCES, FORCES))
 #: Parameters of the contact FMU, where a run gives no others.
-CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "fastsim"}
+CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "strips"}
 
 
 def build(folder, **profiles):

@@ -12,8 +12,8 @@ rolls and yaws, and turns about its axle; it has the frames and signs of docs/co
 
 y, z, q, p are lateral shift, vertical shift, roll and yaw, w the rotation about the axle, w_0 = V / r_0, k
 the track's curvature, W the load of the frame and the weight.  F, M and T are the forces, moments about the
-centre and the driving torque of the contact, c the
-share of the centrifugal force that the cant balances, l the wheelset's way ahead of the frame's middle.
+centre and the driving torque of the contact, c is the share of the centrifugal force that the cant balances,
+and l how far the wheelset is ahead of the middle of the frame.
 
 A step is one of two:
 
@@ -24,6 +24,7 @@ A step is one of two:
 """
 
 import math
+from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
 from pythonfmu import Fmi2Causality, Fmi2Initial, Fmi2Slave, Fmi2Variability, Real
@@ -64,7 +65,7 @@ PARAMETERS = {
     "start_wheel_rate": (0.0, "rad/s", "rotation about the axle at the start; 0: frame_speed / nominal_radius"),
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
-    "canted": (1.0, "1", "share of the centrifugal force that the cant balances, of the wheelset and the frame"),
+    "canted": (1.0, None, "share of the centrifugal force that the cant balances, of the wheelset and the frame"),
     "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a chord of "
                        "the curve"),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
@@ -84,6 +85,7 @@ class Wheelset(Fmi2Slave):
         self.derivatives = np.zeros((len(FORCES), len(MOTION)))
         self.linear = False                     # whether a derivative was ever given
         self.distance = 0.0
+        self.units = {}
         self._register()
         self.prepare()
 
@@ -98,7 +100,7 @@ class Wheelset(Fmi2Slave):
                       *self._entry(self.forces, name))
         for i in range(len(FORCES)):
             for j in range(len(MOTION)):
-                self._add(f"derivative[{i + 1},{j + 1}]", Fmi2Causality.input, "SI",
+                self._add(f"derivative[{i + 1},{j + 1}]", Fmi2Causality.input, None,
                           f"of {FORCES[i]} by {MOTION[j]}", 0.0, *self._derivative(i, j))
         for name, unit in UNITS.items():
             self._add(name, Fmi2Causality.output, unit, name.replace("_", " "), None,
@@ -108,8 +110,9 @@ class Wheelset(Fmi2Slave):
         """Many arguments because this is a row of the model description."""
         if causality == Fmi2Causality.output:
             more["initial"] = Fmi2Initial.calculated
-        variable = Real(name, causality=causality, start=start, description=f"{meaning} [{unit}]",
-                        getter=getter, setter=setter, **more)
+        variable = Real(name, causality=causality, start=start, description=meaning, getter=getter,
+                        setter=setter, **more)
+        self.units[name] = unit
         self.register_variable(variable, nested=False)
 
     @staticmethod
@@ -128,6 +131,22 @@ class Wheelset(Fmi2Slave):
         outputs = self.outputs()
         return [float(outputs[name]) if (name := self.vars[vr].name) in outputs else float(self.vars[vr].getter())
                 for vr in vrs]
+
+    def to_xml(self, model_options=None):
+        """The model description, with what PythonFMU leaves out: units, and the unknowns at the start."""
+        root = super().to_xml(model_options or {})
+        definitions = Element("UnitDefinitions")
+        root.insert(list(root).index(root.find("CoSimulation")) + 1, definitions)
+        for unit in dict.fromkeys(filter(None, self.units.values())):
+            SubElement(definitions, "Unit", name=unit)
+        for variable in root.iter("ScalarVariable"):
+            if self.units[variable.get("name")]:
+                variable.find("Real").set("unit", self.units[variable.get("name")])
+        structure = root.find("ModelStructure")
+        unknowns = SubElement(structure, "InitialUnknowns")
+        for output in structure.find("Outputs"):
+            SubElement(unknowns, "Unknown", index=output.get("index"))
+        return root
 
     # --- the model ------------------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from examples.hunting_wheelset.energy import RAILS, WHEELSET, orders, study
 @pytest.mark.parametrize("derivatives, order, largest", [(False, 1, 0.05), (True, 2, 5e-3)],
                          ids=["explicit", "derivatives"])
 def test_balance(cones, derivatives, order, largest):
-    errors, exchanged, worst = study(cones, derivatives, steps=(4e-4, 2e-4, 1e-4), duration=0.2)
+    errors, exchanged, worst = study(cones, derivatives, steps=(4e-4, 2e-4, 1e-4), duration=0.1)
     assert worst == 0
     np.testing.assert_allclose(orders(errors), order, atol=0.1)
     assert np.abs(errors[-1]) < largest * exchanged
@@ -23,7 +23,7 @@ def test_both_couplings_find_the_same_motion(cones):
     ends = []
     for step, derivatives in ((2e-4, False), (1e-4, False), (1e-4, True)):
         with Loop(cones, WHEELSET, RAILS) as loop:
-            loop.run(0.2, step, derivatives=derivatives)
+            loop.run(0.06, step, derivatives=derivatives)
             ends.append(np.array(loop.motion.read()[:4]))
     coarse, fine, smooth = ends
     extrapolated = 2 * fine - coarse
@@ -38,8 +38,8 @@ def test_the_drive_pays_for_friction(cones):
     seen = ("force.x", "left.friction_power", "right.friction_power", "energy", "supply", "speed")
     still = RAILS | {"contact_damping": 0.0}
     with Loop(cones, WHEELSET, still, seen=seen) as loop:
-        loop.run(0.05, 2e-4, derivatives=True)
-        run = loop.run(0.4, 2e-4, derivatives=True)
+        loop.run(0.05, 1e-4)
+        run = loop.run(0.3, 4e-4, derivatives=True)
     step = run.time[1] - run.time[0]
     drive = trapezoid(-run["speed"] * run["force.x"], dx=step)
     friction = trapezoid(run["left.friction_power"] + run["right.friction_power"], dx=step)
