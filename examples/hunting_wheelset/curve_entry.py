@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import root
 
 import wrcontact
-from wrcontact.plots.style import INK, MM, QUIET, SIDE_COLOUR, save
+from wrcontact.plots.style import INK, MM, QUIET, SIDE_COLOUR, new_figure, save, styled
 
 from .coupling import CONTACT, Loop, build
 from .wheelset import CONTACT_INPUTS, Wheelset
@@ -22,7 +22,7 @@ SPEED, RADIUS_OF_CURVE = 12.0, 150.0            # [m/s], [m]
 WHEELSET = {"frame_speed": SPEED, "curve_curvature": 1 / RADIUS_OF_CURVE, "curve_start": 5.0,
             "transition_length": 20.0, "longitudinal_stiffness": 8e6, "lateral_stiffness": 1e5,
             "lateral_damping": 2e4, "longitudinal_damping": 2e4, "half_wheelbase": 1.25}
-DURATION, STEP = 4.0, 1e-4                      # [s]
+DURATION, STEP = 4.5, 1e-4                      # [s]
 SEEN = ("distance", "track_curvature", *(f"{side}.{name}" for side in ("left", "right")
                                          for name in ("force.y", "force.z", "contact_angle", "friction_power")))
 
@@ -73,11 +73,10 @@ def equilibrium(system, wheelset, guess):
     return motion
 
 
+@styled
 def draw(run):
     """Figure of a run: curvature, lateral shift and yaw, forces on both rails."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.2, 6.4), layout="constrained")
+    figure = new_figure(7.2, 6.4)
     axes = figure.subplots(3, sharex=True, height_ratios=(1, 2, 2))
     way = run["distance"]
     axes[0].plot(way, 1e3 * run["track_curvature"], color=INK)
@@ -91,8 +90,7 @@ def draw(run):
     axes[2].set_xlabel("distance [m]")
     for panel in axes[1:]:
         panel.legend(ncols=2, fontsize=8)
-    figure.suptitle(f"Into a curve to the right of {RADIUS_OF_CURVE:g} m at {SPEED:g} m/s, S1002 on UIC60",
-                    fontsize=10)
+    figure.suptitle(f"Into a curve to the right of {RADIUS_OF_CURVE:g} m at {SPEED:g} m/s, S1002 on UIC60")
     return figure
 
 
