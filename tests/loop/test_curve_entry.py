@@ -1,0 +1,53 @@
+"""Into a curve: the steady state in closed form, and where a flange leads."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import wrcontact
+from examples.hunting_wheelset.coupling import CONTACT, Loop
+from examples.hunting_wheelset.curve_entry import WHEELSET, enter, equilibrium
+from examples.hunting_wheelset.hunting import rolling
+
+RAIL = {"rail_inclination": 0.05}
+
+
+@pytest.mark.parametrize("curvature", [1 / 2000, -1 / 3000])
+def test_free_wheelset_finds_the_rolling_line(cones, cone_file, curvature):
+    """Nothing holds the wheelset, so that in the end neither wheel slides along the track: radii are as the ways
+    on the rails, r_right / r_left = (1 - k y_right) / (1 - k y_left). It then has no yaw but for spin."""
+    system = wrcontact.ContactSystem(wheel=cone_file, contact_mode="elastic", **RAIL)
+
+    def unequal(shift):
+        state = system.evaluate(lateral_shift=shift)
+        right, left = (wheel.patches[0] for wheel in (state.right, state.left))
+        return (right.rolling_radius * (1 - curvature * left.y_track)
+                - left.rolling_radius * (1 - curvature * right.y_track))
+
+    line = brentq(unequal, -6e-3, 6e-3)
+    conicity = rolling(system, 1e-3).conicity(5e-4)
+    assert line == pytest.approx(-curvature * 0.7525 * 0.46 / conicity, rel=0.02)
+    # a damper of the yaw, which acts on no steady state, lets the hunting die
+    given = {"frame_speed": 10.0, "curve_curvature": curvature, "curve_start": 1.0, "transition_length": 8.0,
+             "lateral_damping": 4e4}
+    with Loop(cones, given, RAIL) as loop:
+        loop.run(1.0, 2e-4)
+        run = loop.run(3.3, 2e-4)       # two waves, whose mean is the steady state
+    assert run.worst_status == 0
+    assert run["lateral_shift"].mean() == pytest.approx(line, rel=0.05)
+
+
+@pytest.mark.slow
+def test_steady_state_on_the_flange(s1002):
+    """The run through the transition ends where Python, without an FMU or a run, finds all accelerations zero;
+    the outer wheel touches with its flange root and pushes the rail outwards."""
+    run = enter(s1002, duration=4.5)
+    still = equilibrium(wrcontact.ContactSystem(**CONTACT), WHEELSET, run.motion[-1])
+    np.testing.assert_allclose(run.motion[-1], still, rtol=1e-6, atol=1e-8)
+    assert run.worst_status == 0
+    assert run["left.contact_angle"][-1] > 0.4 and run["left.force.y"][-1] > 15e3
+    # the loads on the rails are the load, and what the rails push across is what the springs take
+    down = run["left.force.z"][-1] + run["right.force.z"][-1]
+    across = run["left.force.y"][-1] + run["right.force.y"][-1]
+    assert down == pytest.approx(-157e3, rel=1e-6)
+    assert across == pytest.approx(2 * WHEELSET["lateral_stiffness"] * still[0], rel=1e-4)
