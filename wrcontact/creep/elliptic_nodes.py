@@ -48,6 +48,7 @@ def strip_forces(exact, nu):
     found = np.zeros(exact["forces"].shape[:-1] + (3,))
     workspace = np.zeros(layout.WORK_SIZE)
     rolling = layout.Work.at(workspace).rolling
+    rolling.bare = True
     tables = uncorrected_tables(nu)
     for k, ratio in enumerate(exact["ratio"].tolist()):
         patch = elliptic_patch(MEAN_AXIS * ratio**0.5, MEAN_AXIS * ratio**-0.5, FORCE, poisson_ratio=nu)
