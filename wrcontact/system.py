@@ -149,15 +149,17 @@ class ContactSystem:
         return stepper
 
     def _new_stepper(self):
+        poisson_ratio = self.parameters["poisson_ratio"]
+        complete = isinstance(self.methods["tangential_model"], HalfspaceRolling)
         if isinstance(self.methods["normal_model"], Halfspace):
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]), self._left_tables)
-        if isinstance(self.methods["tangential_model"], HalfspaceRolling):
+            solver = halfspace_solver(self.parameters["tolerance"], poisson_ratio if complete else None)
+            return Stepper(self._tables, solver, self._left_tables)
+        if complete:
             from .reference.rolling_step import RollingSolver
 
-            return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]),
-                           self._left_tables)
+            return Stepper(self._tables, partial(RollingSolver, poisson_ratio), self._left_tables)
         return Stepper(self._tables, left=self._left_tables)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
