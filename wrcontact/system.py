@@ -148,18 +148,23 @@ class ContactSystem:
         stepper.want(side, outputs)
         return stepper
 
-    def _new_stepper(self):
-        poisson_ratio = self.parameters["poisson_ratio"]
+    @property
+    def _halfspace(self):
+        """The tolerance of the half-space, and Poisson's ratio if creep forces follow by the complete theory, else
+        None."""
         complete = isinstance(self.methods["tangential_model"], HalfspaceRolling)
+        return self.parameters["tolerance"], self.parameters["poisson_ratio"] if complete else None
+
+    def _new_stepper(self):
         if isinstance(self.methods["normal_model"], Halfspace):
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            solver = halfspace_solver(self.parameters["tolerance"], poisson_ratio if complete else None)
-            return Stepper(self._tables, solver, self._left_tables)
-        if complete:
+            return Stepper(self._tables, halfspace_solver(*self._halfspace), self._left_tables)
+        if isinstance(self.methods["tangential_model"], HalfspaceRolling):
             from .reference.rolling_step import RollingSolver
 
-            return Stepper(self._tables, partial(RollingSolver, poisson_ratio), self._left_tables)
+            return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]),
+                           self._left_tables)
         return Stepper(self._tables, left=self._left_tables)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
@@ -263,8 +268,7 @@ class ContactSystem:
             return stepper.parts(rows, places)
         from .reference.processes import shared_parts  # scipy is not needed before
 
-        return shared_parts((stepper.tables, stepper.left_tables), self.parameters["tolerance"], rows, places,
-                            processes)
+        return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for
