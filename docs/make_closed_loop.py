@@ -92,9 +92,10 @@ def curve(archives):
     rows = [[name, f"{1e3 * run.motion[-1][place]:.6f}", f"{1e3 * still[place]:.6f}"] for name, place in
             (("lateral shift [mm]", 0), ("vertical shift [mm]", 1), ("roll [mrad]", 2), ("yaw [mrad]", 3))]
     ratio = abs(run["left.force.y"][-1] / run["left.force.z"][-1])
+    angle = run["left.patch[1].contact_angle"][-1]
     return [*table(["", "end of the run", "equilibrium"], rows), "",
-            f"The outer wheel touches at {run['left.contact_angle'][-1]:.2f} rad and has Y/Q = {ratio:.2f}; "
-            f"largest status {run.worst_status}."]
+            f"The outer wheel carries at {angle:.2f} rad and has Y/Q = {ratio:.2f}; largest status "
+            f"{run.worst_status}."]
 
 
 def long(archives):

@@ -152,7 +152,7 @@ def draw(linear, found, speeds=SPEEDS):
         reached.plot(speeds, [amplitude / MM for _, amplitude in found[start]], marker, color=CONTACT_COLOUR,
                      fillstyle="none", label=f"{words}, {start / MM:g} mm")
     reached.set(title=f"Amplitude after {PATIENCE:g} s", xlabel="speed [m/s]", ylabel="lateral shift [mm]")
-    reached.legend(loc="center right", fontsize=8)
+    reached.legend(loc="center right", fontsize=8, frameon=True, framealpha=1.0, edgecolor="none")
     for panel in (grows, reached):
         panel.axvline(critical, color=QUIET, linestyle="--", linewidth=0.8)
     grows.annotate(f"{critical:.1f} m/s", (critical, grows.get_ylim()[1]), xytext=(3, -10),

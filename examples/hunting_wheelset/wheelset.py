@@ -4,7 +4,7 @@ PythonFMU executes this file for every instance, so that it needs nothing but nu
 frame runs along the middle of the track with a constant speed.  The wheelset moves across the track and down,
 rolls and yaws, and turns about its axle; it has the frames and signs of docs/conventions.md:
 
-    m (y'' + (1 - c) V^2 k)    = F_y - K_y y - D_y y'
+    m y'' + (1 - c) (W/g) V^2 k    = F_y - K_y y - D_y y'
     m z''                      = F_z + W - K_z (z - z_0) - D_z z'
     I_x q'' + I_y w_0 (p' + V k) = M_x cos p + M_y sin p - K_x q - D_x q'
     I_z (p'' + V k')  - I_y w_0 q' = M_z - K_p (p + l k) - D_p (p' + l k')
@@ -12,8 +12,8 @@ rolls and yaws, and turns about its axle; it has the frames and signs of docs/co
 
 y, z, q, p are lateral shift, vertical shift, roll and yaw, w the rotation about the axle, w_0 = V / r_0, k
 the track's curvature, W the load of the frame and the weight.  F, M and T are the forces, moments about the
-centre and the driving torque of the contact, c is the share of the centrifugal force that the cant balances,
-and l how far the wheelset is ahead of the middle of the frame.
+centre and the driving torque of the contact, c is the share of the load's centrifugal force that the cant
+balances, and l how far the wheelset is ahead of the middle of the frame.
 
 A step is one of two:
 
@@ -40,6 +40,7 @@ OTHER_OUTPUTS = {"speed": "m/s", "track_curvature": "1/m", "distance": "m", "ene
 UNITS = dict(zip(MOTION, ("m", "m", "rad", "rad", "m/s", "m/s", "rad/s", "rad/s", "rad/s"))) | OTHER_OUTPUTS
 FORCE_UNITS = dict(zip(FORCES, ("N", "N", "N.m", "N.m", "N.m", "N.m")))
 
+GRAVITY = 9.81      # [m/s2]
 #: Start value, unit and meaning of each parameter.
 PARAMETERS = {
     "mass": (1500.0, "kg", "mass"),
@@ -66,7 +67,7 @@ PARAMETERS = {
                          "nominal_radius"),
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
-    "canted": (1.0, None, "share of the wheelset's centrifugal force that the cant balances"),
+    "canted": (1.0, None, "share of the load's centrifugal force that the cant balances"),
     "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a "
                        "chord of the curve"),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
@@ -180,7 +181,7 @@ class Wheelset(Fmi2Slave):
 
         self.stiffness, self.damping = springs("stiffness"), springs("damping")
         self.inertia = [p["mass"], p["mass"], p["inertia_roll"], p["inertia_yaw"], p["inertia_pitch"]]
-        self.thrown = (1.0 - p["canted"]) * p["mass"] * p["frame_speed"] ** 2
+        self.thrown = (1.0 - p["canted"]) * p["load"] / GRAVITY * p["frame_speed"] ** 2
         self.rolling = p["start_wheel_rate"] or p["frame_speed"] / p["nominal_radius"]
         self.gyroscopic = p["inertia_pitch"] * p["frame_speed"] / p["nominal_radius"]
         self.place = [p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"], p["start_yaw"]]

@@ -71,7 +71,7 @@ def test_a_spinning_wheelset_nutates(archives):
 
 def test_curve(archives):
     """Half-way through the transition the curvature is half of the curve's; nothing canted, and nothing else
-    acting, the wheelset is left behind by the square of the speed times the curvature."""
+    acting, the load leaves the curve with the square of the speed times the curvature."""
     given = dict(frame_speed=10.0, curve_curvature=0.01, curve_start=1.0, transition_length=2.0, canted=0.0)
     unit = Unit(archives[1], "wheelset", **given)
     unit.start()
@@ -84,4 +84,4 @@ def test_curve(archives):
     way, curvature, velocity = np.array(seen).T
     np.testing.assert_allclose(curvature, 0.01 * np.clip((way - 1.0) / 2.0, 0.0, 1.0), rtol=0, atol=1e-12)
     # the integral of V^2 k: 0.1 s of the mean, and then 0.2 s of the full curvature
-    assert velocity[-1] == pytest.approx(-100.0 * 0.01 * (0.1 + 0.2), rel=5e-3)
+    assert velocity[-1] == pytest.approx(-100.0 * 0.01 * (0.1 + 0.2) * LOAD / 9.81 / 1500.0, rel=5e-3)
