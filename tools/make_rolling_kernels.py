@@ -46,7 +46,8 @@ def reach(eta):
         w, weights = pieces(0.0, u, eta / (6.0 * np.sin(u)))
         X = 2.0 * np.sin(u) * np.sin(w)
         r = np.hypot(X, eta)
-        near, far = np.array([eta / r, eta * X**2 / r**3]), np.array([eta**3 / r**3, 3.0 * eta**3 * X**2 / r**5])
+        near = np.array([eta / r, eta * X**2 / r**3])
+        far = np.array([eta**3 / r**3, 3.0 * eta**3 * X**2 / r**5])
         spin = (np.sin(u + w) * np.sin(u - w)) ** 2
         total += 8.0 * weight * np.array([near @ weights, far @ weights, near @ (spin * weights),
                                           far @ (spin * weights)])

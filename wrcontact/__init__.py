@@ -1,21 +1,29 @@
-"""Wheel-rail contact of a wheelset on its track: contact positions, roll, and contact patches."""
+"""Wheel-rail contact of a wheelset on its track: contact positions, roll, patches and creep forces."""
 
 from importlib import import_module
 
+from .creep import CreepForces, CreepPatch, creep_forces, elliptic_patch, outlined_patch, patch_of
+from .interface.friction import Friction
 from .interface.parameters import Material, Track, Wheelset
 from .methods import (
     Adaptive,
     Analyn,
     BasicCurvature,
     Compliant,
+    CoupledStrips,
     EffectiveCurvature,
     Elastic,
     Equidistant,
     EquidistantChord,
+    Fastrip,
+    Fastsim,
     Halfspace,
+    HalfspaceRolling,
     Hertz,
     NormalLoad,
     NormalSeparation,
+    NoTangential,
+    Polach,
     Rigid,
     Rough,
     Smooth,
@@ -32,10 +40,12 @@ from .system import ContactSystem
 
 __version__ = "0.1.0"
 __all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status", "Stepper",
-           "UnusualValueWarning", "WheelsetState", "check", "explain", "Material", "Track", "Wheelset",
-           "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
-           "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
-           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]
+           "UnusualValueWarning", "WheelsetState", "check", "explain", "Friction", "Material", "Track",
+           "Wheelset", "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace",
+           "Hertz", "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
+           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth", "CoupledStrips",
+           "Fastrip", "Fastsim", "HalfspaceRolling", "NoTangential", "Polach", "CreepForces", "CreepPatch",
+           "creep_forces", "elliptic_patch", "outlined_patch", "patch_of"]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "plots", "reference", "study"})

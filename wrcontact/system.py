@@ -36,10 +36,10 @@ from .stepper import Stepper
 class ContactSystem:
     """Wheel and rail profiles, track, material and methods of one wheelset.
 
-    The numbers of track, wheelset and material are keywords, or come together in a :class:`~wrcontact.Track`,
-    :class:`~wrcontact.Wheelset` or :class:`~wrcontact.Material`.  A method is a string, with its numbers as
-    keywords, or an object that holds them: ``normal_model=Analyn(tolerance=0.004)`` is
-    ``normal_model="analyn", tolerance=0.004``.
+    The numbers of track, wheelset, material and friction are keywords, or come together in a
+    :class:`~wrcontact.Track`, :class:`~wrcontact.Wheelset`, :class:`~wrcontact.Material` or
+    :class:`~wrcontact.Friction`.  A method is a string, with its numbers as keywords, or an object that holds
+    them: ``normal_model=Analyn(tolerance=0.004)`` is ``normal_model="analyn", tolerance=0.004``.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class ContactSystem:
         :class:`~wrcontact.ProfileFile` (a path with what the file does not say), or
         :class:`~wrcontact.Profile`.  These two, ``nominal_radius`` and ``rail_inclination`` may also be
         pairs (left, right), which is short for the keywords that begin with ``left_``.
-    track, wheelset, material : records of the keywords that follow, or None.
+    track, wheelset, material, friction : records of the keywords that follow, or None.
 {parameters}
 
     Attributes
@@ -148,11 +148,18 @@ class ContactSystem:
         stepper.want(side, outputs)
         return stepper
 
+    @property
+    def _halfspace(self):
+        """The tolerance of the half-space, and Poisson's ratio if creep forces follow by the complete theory, else
+        None."""
+        complete = isinstance(self.methods["tangential_model"], HalfspaceRolling)
+        return self.parameters["tolerance"], self.parameters["poisson_ratio"] if complete else None
+
     def _new_stepper(self):
         if isinstance(self.methods["normal_model"], Halfspace):
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]), self._left_tables)
+            return Stepper(self._tables, halfspace_solver(*self._halfspace), self._left_tables)
         if isinstance(self.methods["tangential_model"], HalfspaceRolling):
             from .reference.rolling_step import RollingSolver
 
@@ -204,7 +211,7 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``.  The table has
-        memory only for what is wanted: 2.8 kB a row for all outputs, 8 B for one.
+        memory only for what is wanted: 4.3 kB a row for all outputs, 8 B for one.
 
         ``processes`` share the rows of the half-space, which needs much time, with the same results; the
         other models use one.  A script makes such a call below ``if __name__ == "__main__":``.
@@ -261,8 +268,7 @@ class ContactSystem:
             return stepper.parts(rows, places)
         from .reference.processes import shared_parts  # scipy is not needed before
 
-        return shared_parts((stepper.tables, stepper.left_tables), self.parameters["tolerance"], rows, places,
-                            processes)
+        return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for

@@ -148,12 +148,15 @@ def test_every_input_and_parameter_has_an_option(run):
                                             "--load-transfer", "--vertical-shift-mm", "--roll-deg", "--speed",
                                             "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
                                             "--roll-rate", "--wheel-rate", "--track-curvature",
+                                            "--left-friction", "--right-friction",
                                             *(f"--{side}-rail-{part}" for side in ("left", "right")
                                               for part in ("lateral-mm", "vertical-mm", "roll-deg",
                                                            "lateral-velocity", "vertical-velocity",
                                                            "roll-velocity"))}
     methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature",
-               "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance"}
+               "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance",
+               "tangential-model", "flange-friction-ratio", "flange-friction-angle-deg", "friction-fall",
+               "friction-fall-rate", "slope-reduction", "slope-reduction-floor", "slope-reduction-rate"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}
     words = " ".join(out.replace("│", " ").split())
     assert all(choice in words for name in CHOICES for choice in CHOICES[name])
@@ -342,3 +345,55 @@ def test_creepages_of_a_wheelset_that_rolls(run):
     _, still, _ = run("solve", "--lateral-shift-mm", "1")
     _, rolling, _ = run("solve", "--lateral-shift-mm", "1", "--speed", "20", "--track-curvature", "0.001")
     assert "creepage" not in still and "patch[1].creepage.spin" in rolling and "patch[1].area" not in rolling
+
+
+def printed(out):
+    """Cells of a printed state by the names of its rows, the unit first."""
+    return {cells[0]: cells[1:] for cells in map(str.split, out.splitlines()) if len(cells) in (3, 4)}
+
+
+def test_creep_forces_are_printed_with_a_model(run):
+    options = ("--lateral-shift-mm", 3, "--yaw-deg", 0.2, "--speed", 20, "--tangential-model", "polach",
+               "--left-friction", 0.2, "--right-friction", 0.4)
+    code, out, err = run("solve", *options)
+    state = ContactSystem(tangential_model="polach").evaluate(3e-3, np.radians(0.2), speed=20.0,
+                                                              left_friction=0.2, right_friction=0.4)
+    sides, rows = (state.left, state.right), printed(out)
+    assert (code, err) == (0, "")
+    assert rows["patch[1].tangential.x"] == ["kN", *(f"{side.patches[0].tangential.x / 1e3:.3f}"
+                                                     for side in sides)]
+    assert rows["patch[1].saturation"] == [f"{side.patches[0].saturation:.4f}" for side in sides]
+    assert rows["friction_power"] == ["kW", *(f"{side.friction_power / 1e3:.4f}" for side in sides)]
+    assert rows["wear_number"] == ["kN", *(f"{side.wear_number / 1e3:.6f}" for side in sides)]
+    assert rows["normal.force.y"] == ["kN", *(f"{side.normal.force.y / 1e3:.3f}" for side in sides)]
+    assert f"driving torque {state.driving_torque / 1e3:.3f} kN.m" in out
+    # 0.1 N m is a spin moment that is to be seen
+    assert len(rows["patch[1].tangential.moment"][1].partition(".")[2]) == 6
+
+
+def test_without_creep_forces_none_are_printed(run):
+    _, plain, _ = run("solve", "--lateral-shift-mm", 3, "--speed", 20)
+    _, still, _ = run("solve", "--lateral-shift-mm", 3, "--tangential-model", "polach")
+    for word in ("tangential", "saturation", "friction_power", "normal.force", "driving torque"):
+        assert word not in plain and word not in still
+    assert "no creep forces: neither --speed nor --wheel-rate is given" in still and "creep" in plain
+    code, out, err = run("solve", "--left-friction", 0.2)
+    assert (code, out) == (2, "") and "--left-friction is given" in err and "polach" in err
+
+
+def test_friction_that_is_not_permitted_is_refused_in_the_option_s_name(run):
+    code, _, err = run("solve", "--right-friction", 3, "--tangential-model", "polach", "--speed", 20)
+    assert code == 2 and "--right-friction is 3" in err and "<= 2" in err
+
+
+def test_a_sweep_with_creep_forces(run):
+    sweep = ("sweep", "--from-mm", 1, "--to-mm", 3, "--step-mm", 1)
+    _, plain, _ = run(*sweep)
+    code, out, err = run(*sweep, "--tangential-model", "polach", "--speed", 20, "--right-friction", 0.4)
+    assert (code, err) == (0, "") and "pressure" in plain and "used" not in plain
+    table = ContactSystem(tangential_model="polach").evaluate_many([1e-3, 2e-3, 3e-3], speed=20.0,
+                                                                   right_friction=0.4)
+    last = next(line.split() for line in out.splitlines() if line.split()[:1] == ["3.000"])
+    assert float(last[-1]) == pytest.approx(table.right.friction_power[2] / 1e3, abs=5e-4)
+    assert float(last[-2]) == pytest.approx(table["right.patch[1].saturation"][2], abs=5e-4)
+    assert "kW" in out and "used" in out

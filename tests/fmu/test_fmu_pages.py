@@ -66,7 +66,8 @@ def test_terminals_of_left_and_right_match(archives):
         members = [member.get("memberName") for member in terminal]
         assert len(set(members)) == len(members)
         groups[terminal.get("name")] = (terminal.get("terminalKind"), members)
-    assert list(groups) == ["pose", "load", "rails", "motion", "wheelset", "left", "right"]
+    assert list(groups) == ["pose", "load", "rails", "motion", "friction", "wheelset", "left",
+                            "right"]
     assert groups["left"] == groups["right"] and "pressure" in groups["left"][1]
     assert {"roll", "vertical_shift"} <= set(groups["pose"][1]) & set(groups["wheelset"][1])
 

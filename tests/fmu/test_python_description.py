@@ -9,6 +9,7 @@ from tests.helpers.cases import INPUT_NAMES, OUTPUT_NAMES
 from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
+from wrcontact.interface.friction import FRICTION
 from wrcontact.interface.motion import MOTION
 from wrcontact.interface.rails import RAILS
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, VARIABLES
@@ -62,11 +63,12 @@ def test_units_are_si_and_shown_as_engineers_read_them(description):
     bases = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
     exponents = {u.name: {b: getattr(u.baseUnit, b) for b in bases if getattr(u.baseUnit, b)} for u in units}
     assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
-                         "N.m": {"kg": 1, "m": 2, "s": -2},
+                         "N.m": {"kg": 1, "m": 2, "s": -2}, "W": {"kg": 1, "m": 2, "s": -3},
                          "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {},
                          "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1}, "s/m": {"m": -1, "s": 1}}
     shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
-    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "MPa": 1e-6, "mm2": 1e6}
+    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "kW": 1e-3, "MPa": 1e-6,
+                     "mm2": 1e6}
 
 
 def test_start_values_lie_within_their_limits(description):
@@ -78,16 +80,13 @@ def test_start_values_lie_within_their_limits(description):
 def test_dependencies(description):
     follows = {u.variable.name: {d.name for d in u.dependencies} for u in description.outputs}
     assert set(follows) == set(OUTPUT_NAMES)
-    # declared once for all contact modes, and in elastic and compliant contact all
-    # that is read moves everything
+    # declared once for all methods: in elastic contact all that is read moves everything, velocities and
+    # friction too, where friction carries a part of a vertical load
     read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
-            *(row.name for row in RAILS)}
-    moves = {row.name for row in MOTION}
+            *(row.name for row in (*RAILS, *MOTION, *FRICTION))}
     for name, inputs in follows.items():
-        # creepages, and what contact damping changes
-        damped = any(word in name for word in ("creepage", "force", "moment", "patch_centroid", "status"))
         given = {"vertical_shift_input", "roll_input"} if name.startswith("equilibrium.") else set()
-        assert inputs == read - given | (moves if damped else set()), name
+        assert inputs == read - given, name
     initial = {u.variable.name: {d.name for d in u.dependencies} for u in description.initialUnknowns}
     assert set(initial) == set(OUTPUT_NAMES)
     assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
@@ -99,7 +98,7 @@ GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")
 def is_geometry(name):
     """Whether the output is one of rigid contact's geometry."""
     return (name in ("roll", "vertical_shift") or "patch[" not in name
-            and name.split(".", 1)[1].startswith(GEOMETRY))
+            and name.partition(".")[2].startswith(GEOMETRY))
 
 
 #: What an output of each contact mode does not follow: inputs, and the outputs that this is said of.
@@ -108,38 +107,63 @@ FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, 
         "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
         "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")}}
 
-#: Inputs that say how the wheelset moves; without contact damping only creepages follow them.
 MOVING = {row.name for row in MOTION}
-for _mode in FREE.values():
-    _mode |= {name: lambda output: ".creepage." not in output for name in MOVING}
-for _name in ("vertical_velocity", "roll_rate"):
-    FREE["rigid"][_name] = FREE["elastic"][_name] = lambda output: True
+RUBBING = {row.name for row in FRICTION}
+#: Words in the names of what creep forces change, while friction carries no part of the load.
+OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
+            "shear[", "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y",
+            "moment.z")
+#: Methods under which dependencies are tried: contact mode, and others.
+METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
+           "rigid, creep forces": {"tangential_model": "polach"},
+           "elastic, creep forces": {"tangential_model": "polach"},
+           "compliant, creep forces": {"tangential_model": "polach"},
+           "rigid, vertical load": {"tangential_model": "polach", "load": "vertical"},
+           "elastic, vertical load": {"tangential_model": "polach", "load": "vertical"}}
 
 
-@pytest.mark.parametrize("mode", FREE)
-def test_declared_dependencies_hold(mode):
+def does_not_follow(mode, methods, moved, name):
+    """Whether the output ``name`` has nothing of the input ``moved``."""
+    creep = "tangential_model" in methods
+    if moved in ("vertical_velocity", "roll_rate") and mode != "compliant":
+        return True         # they follow from contact
+    if moved in MOVING | RUBBING:
+        creepage = ".creepage." in name and moved in MOVING
+        rubbed = creep and any(word in name for word in OF_CREEP) and "normal." not in name
+        carried = "load" in methods and not (mode == "rigid" and is_geometry(name))
+        return not (creepage or rubbed or carried)
+    return FREE[mode].get(moved, lambda output: False)(name)
+
+
+@pytest.mark.parametrize("case", METHODS)
+def test_declared_dependencies_hold(case):
     """At a pose with nothing special: no output changes with an input that it is not declared to
-    follow, nor with one that the contact mode does not read for it; and every input that it reads
+    follow, nor with one that the methods do not read for it; and every input that they read
     does change something."""
-    system = ContactSystem(contact_mode=mode)
+    mode, methods = case.partition(",")[0], METHODS[case]
+    system = ContactSystem(contact_mode=mode, **methods)
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
             "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS)), 0.0), "free_rolling": 1.0}
+            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS)), 0.0), "free_rolling": 1.0,
+            **dict.fromkeys(RUBBING, 0.3)}
     changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
                "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6,
-               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS)}, "free_rolling": -1.0}
+               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION)}, "free_rolling": -1.0}
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())
     assert present["status"] == 0
     for name, change in changes.items():
         changed = evaluated({**pose, name: pose[name] + change}, system.stepper())
-        is_free = FREE[mode].get(name, lambda output: False)
         outputs = VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]
-        free = [v.name for v in outputs if name not in v.depends_on or is_free(v.name)]
+        free = [v.name for v in outputs
+                if name not in v.depends_on or does_not_follow(mode, methods, name, v.name)]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
-        moved = [v for v in present
-                 if (".creepage." in v if name in MOVING else v in ("left.area", "right.area"))]
+        seen = ".creepage." if name in MOVING else ".tangential." if name in RUBBING else ".area"
+        moved = [v for v in present if seen in v]
         assert len(free) == len(outputs) or any(changed[v] != present[v] for v in moved), name
+    if "load" in methods:
+        harder = evaluated({**pose, "left.friction": 0.4}, system.stepper())
+        assert harder["left.area"] != present["left.area"], "friction carries none of the load"
 
 
 def test_capabilities(description):

@@ -89,7 +89,8 @@ def outlined():
     for row in found["cases"]:
         if row["patch"] not in outlines:
             # the number of the patch is that of a longer list
-            one = min(found["patches"], key=lambda one: abs(one["N"] - row["N"]) + (one["case"] != row["case"]))
+            one = min(found["patches"],
+                      key=lambda one: abs(one["N"] - row["N"]) + (one["case"] != row["case"]))
             outlines[row["patch"]] = outlined_patch(
                 np.array(one["y"]) * MM, np.array(one["a"]) * MM, np.array(one["p0"]) * 1e6,
                 normal_force=row["N"], youngs_modulus=modulus(row["G"], row["nu"]), poisson_ratio=row["nu"])
@@ -98,15 +99,15 @@ def outlined():
 
 def gridded():
     """Patches by CONTACT, its pressures too."""
-    found = read("patches")
+    found = read("contact_patches")
     meta = found["meta"]
     for one in found["patches"]:
         parts = grid_parts(one, modulus(meta["G_MPa"], meta["nu"]), meta["nu"])
         size = np.sqrt(one["area_mm2"] / np.pi) * MM
         for row in one["cases"]:
             contact = row["contact"]
-            yield Case(f"CONTACT {one['y_shift_mm']} mm {row['xi']:.3g} {row['eta']:.3g} {row['phi_per_mm']:.3g}",
-                       parts, (row["xi"], row["eta"], row["phi_per_mm"] / MM), meta["mu"],
+            creepages = row["xi"], row["eta"], row["phi_per_mm"] / MM
+            yield Case(f"CONTACT {one['y_shift_mm']} mm {creepages}", parts, creepages, meta["mu"],
                        (contact["Fx"], contact["Fy"]), contact["Mz"] * MM, meta["mu"] * one["FN"], size)
 
 

@@ -70,7 +70,8 @@ VALID = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 7
          "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "wheel_rate": 0.0,
          "track_curvature": 0.0,
          **{f"{side}.rail_{part}{kind}": 0.0 for side in ("left", "right")
-            for part in ("lateral", "vertical", "roll") for kind in ("", "_velocity")}}
+            for part in ("lateral", "vertical", "roll") for kind in ("", "_velocity")},
+         "left.friction": 0.3, "right.friction": 0.3}
 
 
 def outcomes(fmu, cases, start=None, valid=None):

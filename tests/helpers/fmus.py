@@ -127,7 +127,7 @@ def outline_of_both(values):
     """Both sides' runs of an outline by the names of FMI 3."""
     state = WheelsetState(values, 0, None)
     return {f"{side}.{name}": getattr(getattr(state, side).outline, name).tolist()
-            for side in ("left", "right") for name in ("station", "half_length", "pressure")}
+            for side in ("left", "right") for name in ("station", "half_length", "pressure", "shear", "slip")}
 
 
 needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux",

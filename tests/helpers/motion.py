@@ -40,9 +40,11 @@ def velocity(place, *, centre, yaw, roll, speed=0.0, lateral=0.0, vertical=0.0, 
     return (moved(step) - moved(-step)) / (2 * step)
 
 
-def creepages(*, place, radius, angle, sign, centre, yaw, roll, speed, wheel_rate, **rates):
-    """(x, y, spin) of a patch at ``place`` [m] by finite displacements.
+def sliding(*, place, radius, angle, sign, centre, yaw, roll, speed, wheel_rate, **rates):
+    """Velocity of the wheel's surface against the rail (3,) [m/s] at a patch, its direction across (3,), its
+    rotation about the patch's normal [rad/s], and the rolling speed [m/s], by finite displacements.
 
+    place : centre of load of the patch [m].
     radius : of the wheel at the centre of load [m]; the wheel's surface is this far from the axle.
     angle : of the patch's normal, positive towards the flange [rad]; ``sign`` = 1 on the right, -1 on the
         left.
@@ -55,7 +57,12 @@ def creepages(*, place, radius, angle, sign, centre, yaw, roll, speed, wheel_rat
     moves = dict(centre=centre, yaw=yaw, roll=roll, speed=speed, **rates)
     slide = velocity(surface, wheel_rate=wheel_rate, **moves)
     rolling = slide - velocity(surface, **moves)
-    reference = (abs(speed) + abs(rolling[0])) / 2
     # a rotation about the normal moves what lies to the left against x
     ahead = velocity(surface + 1e-3 * lateral, wheel_rate=wheel_rate, **moves)
-    return np.array([slide[0], slide @ lateral, (slide[0] - ahead[0]) / 1e-3]) / reference
+    return slide, lateral, (slide[0] - ahead[0]) / 1e-3, (abs(speed) + abs(rolling[0])) / 2
+
+
+def creepages(**given):
+    """(x, y, spin) of a patch by finite displacements; arguments as :func:`sliding` has them."""
+    slide, lateral, turning, reference = sliding(**given)
+    return np.array([slide[0], slide @ lateral, turning]) / reference

@@ -1,7 +1,7 @@
 """Witnesses for outputs that follow the motion of the wheelset, and for the equilibrium; a part of
 output_witnesses.py."""
 
-from tests.helpers.motion import creepages
+from tests.helpers.motion import creepages, sliding
 from wrcontact import ContactSystem
 
 
@@ -17,19 +17,29 @@ def equilibrium(name):
     return witness
 
 
+def motion(wheel, k):
+    """What :func:`tests.helpers.motion.sliding` asks for, of patch ``k``."""
+    given = wheel.inputs
+    names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
+             "roll_rate": "roll_rate", "curvature": "track_curvature"}
+    return dict(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
+                radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
+                angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"], roll=wheel.values["roll"],
+                speed=given["speed"], wheel_rate=given["wheel_rate"],
+                **{name: given[key] for name, key in names.items()})
+
+
 def patch_creepage(index):
     """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
     def witness(wheel, k):
-        given = wheel.inputs
-        if not given.get("speed"):
+        if not wheel.inputs.get("speed"):
             yield 0.0, 0.0
             return
-        names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
-                 "roll_rate": "roll_rate", "curvature": "track_curvature"}
-        found = creepages(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
-                          radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
-                          angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"],
-                          roll=wheel.values["roll"], speed=given["speed"], wheel_rate=given["wheel_rate"],
-                          **{name: given[key] for name, key in names.items()})
-        yield found[index], 1e-6
+        yield creepages(**motion(wheel, k))[index], 1e-6
     return witness
+
+
+def patch_moves(wheel, k):
+    """Velocity of the wheel's surface against the rail (3,) [m/s], and rotation about the normal [rad/s]."""
+    slide, _, turning, _ = sliding(**motion(wheel, k))
+    return slide, turning

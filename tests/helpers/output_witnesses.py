@@ -10,6 +10,7 @@ from math import atan, atan2, cos, sin, tan
 
 import numpy as np
 
+from tests.helpers import creep_witnesses as creep
 from tests.helpers.motion_witnesses import equilibrium, patch_creepage
 from tests.helpers.wheel_witness import WheelWitness, track
 
@@ -31,7 +32,8 @@ ROUGH = 1.5
 
 #: Parameters and inputs by the names of the FMU, and the status: a centred wheelset; one that is shifted,
 #: yawed and unevenly loaded; flange root and flange on the left, at planes of their own; three patches on the
-#: right; Hertz; a pressed wheelset; and one whose left wheel carries nothing.
+#: right; Hertz; a pressed wheelset that rolls with friction; one whose wheels nearly stand, so that all
+#: slides; and one whose left wheel carries nothing.
 SCENES = {
     "centred": ({}, {}, 0),
     "yawed": ({}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
@@ -39,11 +41,15 @@ SCENES = {
     "three_patches": ({"rail_profile": "54E1", "rail_inclination": 0.05},
                       {"lateral_shift": 5.5e-3, "normal_force": 100e3}, 0),
     "hertz": ({"normal_model": "hertz"}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
-    "compliant": ({"contact_mode": "compliant"},
+    "compliant": ({"contact_mode": "compliant", "tangential_model": "polach"},
                   {"lateral_shift": 4e-3, "yaw": 5e-3, "normal_force": 1.0, "vertical_shift_input": 0.134e-3,
                    "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
                    "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
-                   "track_curvature": 2e-3}, 0),
+                   "track_curvature": 2e-3, "left.friction": 0.25, "right.friction": 0.4}, 0),
+    "sliding": ({"tangential_model": "fastsim"},
+                {"lateral_shift": 1e-3, "yaw": 0.0, "speed": 20.0, "wheel_rate": 5.0, "lateral_velocity": 0.0,
+                 "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
+                 "left.friction": 0.25, "right.friction": 0.4}, 0),
     "unloaded": ({}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
@@ -58,6 +64,8 @@ class Scene:
         system = track(start.get("rail_profile", "UIC60"), start.get("rail_inclination", 0.025))
         self.wheels = {side: WheelWitness(system, side, values, self.inputs, self.mode,
                                           start.get("normal_model", "analyn")) for side in ("left", "right")}
+        for wheel in self.wheels.values():
+            wheel.tangential = start.get("tangential_model", "none")
 
     def wanted(self, name):
         """(Value, tolerance) pairs of the output called ``name``."""
@@ -219,14 +227,36 @@ def side_force(axis):
 
 
 def side_moment(index):
-    """Of the patches' forces at their points, about the wheelset's centre."""
+    """Of the patches' forces at their points, about the wheelset's centre, and of their moments of spin."""
     def witness(wheel):
-        moment = 0.0
-        for k in range(1, wheel.count + 1):
-            force, place = (np.array([wheel[f"patch[{k}].{name}"] for name in names]) for names in
-                            (("force.x", "force.y", "force.z"), ("x_track", "y_track", "z_track")))
-            moment += np.cross(place - wheel.centre, force)[index]
-        yield moment, EXACT * wheel["normal_force"]
+        yield (pressure_moment(wheel) + creep.side_creep(wheel)[1])[index], EXACT * wheel["normal_force"]
+    return witness
+
+
+def pressure_moment(wheel):
+    """Of the patches' forces without their creep forces at their points (3,)."""
+    moment = np.zeros(3)
+    for k in range(1, wheel.count + 1):
+        place = np.array([wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"])
+        moment += np.cross(place - wheel.centre, pressure_force(wheel, k))
+    return moment
+
+
+def pressure_force(wheel, k):
+    """The force of a patch without its creep force (3,)."""
+    return np.array([wheel[f"patch[{k}].force.{axis}"] for axis in "xyz"]) - creep.creep_vectors(wheel, k)[0]
+
+
+def normal_part(index):
+    def witness(wheel):
+        yield (sum(pressure_force(wheel, k)[index] for k in range(1, wheel.count + 1)),
+               1e-12 * wheel["normal_force"])
+    return witness
+
+
+def normal_moment(index):
+    def witness(wheel):
+        yield pressure_moment(wheel)[index], EXACT * wheel["normal_force"]
     return witness
 
 
@@ -288,15 +318,17 @@ def patch_place(axis):
 
 
 def patch_force(axis):
-    """The load along the mean normal, which is shorter than 1 where a patch turns."""
+    """The load along the mean normal, which is shorter than 1 where a patch turns, and the creep force."""
     def witness(wheel, k):
         load, angle = (wheel[f"patch[{k}].{name}"] for name in ("normal_force", "contact_angle"))
         turned, share = (sin(angle), cos(angle)), EXACT
         if wheel.model != "hertz":
             turned, share = wheel.carried[k - 1].normal, 0.02
-        yield load * (0.0, -wheel.sign * turned[0], -turned[1])[axis], share * load
+        rubbed = creep.creep_vectors(wheel, k)[0]
+        yield load * (0.0, -wheel.sign * turned[0], -turned[1])[axis] + rubbed[axis], share * load
         if axis == 1:
-            yield wheel.sign * tan(angle) * wheel[f"patch[{k}].force.z"], EXACT * load
+            pressed = wheel[f"patch[{k}].force.z"] - rubbed[2]
+            yield wheel.sign * tan(angle) * pressed + rubbed[1], EXACT * load
     return witness
 
 
@@ -331,7 +363,9 @@ WHEELSET = {
     "roll": ("rad", roll),
     "vertical_shift": ("m", vertical_shift),
     **{f"{name}.{axis}": (unit, sum_of_wheels(f"{name}.{axis}"))
-       for name, unit in (("force", "N"), ("moment", "N.m")) for axis in "xyz"},
+       for name, unit in (("force", "N"), ("moment", "N.m"), ("normal.force", "N"), ("normal.moment", "N.m"))
+       for axis in "xyz"},
+    "driving_torque": ("N.m", creep.driving_torque),
     "equilibrium.vertical_shift": ("m", equilibrium("vertical_shift")),
     "equilibrium.roll": ("rad", equilibrium("roll")),
     "status": (None, status),
@@ -354,6 +388,10 @@ LOAD = {
     "patch_centroid": ("m", patch_centroid),
     **{f"force.{axis}": ("N", side_force(axis)) for axis in "xyz"},
     **{f"moment.{axis}": ("N.m", side_moment(index)) for index, axis in enumerate("xyz")},
+    **{f"normal.force.{axis}": ("N", normal_part(index)) for index, axis in enumerate("xyz")},
+    **{f"normal.moment.{axis}": ("N.m", normal_moment(index)) for index, axis in enumerate("xyz")},
+    "friction_power": ("W", creep.side_power),
+    "wear_number": ("N", creep.wear_number),
 }
 PATCH = {
     "normal_force": ("N", of_patch("load", OF_LOAD)),
@@ -369,11 +407,20 @@ PATCH = {
     **{f"force.{axis}": ("N", patch_force(index)) for index, axis in enumerate("xyz")},
     **{f"creepage.{name}": (unit, patch_creepage(index))
        for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))},
+    "tangential.x": ("N", creep.tangential(0)),
+    "tangential.y": ("N", creep.tangential(1)),
+    "tangential.moment": ("N.m", creep.moment),
+    "stick_share": ("1", creep.stick_share),
+    "max_shear": ("Pa", creep.max_shear),
+    "friction_power": ("W", creep.patch_power),
+    "saturation": ("1", creep.saturation),
 }
 OUTLINE = {
     "station": ("m", station),
     "half_length": ("m", outline(0, OF_LENGTH)),
     "pressure": ("Pa", outline(1, OF_PRESSURE)),
+    "shear": ("Pa", creep.shear),
+    "slip": ("m/s", creep.slip),
 }
 WITNESSES = {
     **WHEELSET,

@@ -39,7 +39,7 @@ def test_every_output_is_a_property_of_a_result_that_reads_its_place():
         found = result
         for part in variable.name.replace("]", "").split("."):
             name, _, number = part.partition("[")
-            if name in ("station", "half_length", "pressure"):
+            if name in ("station", "half_length", "pressure", "shear", "slip"):
                 found = found.outline
             name = "patches" if name == "patch" else name
             found = getattr(found, name)[int(number) - 1] if number else getattr(found, name)

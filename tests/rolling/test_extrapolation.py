@@ -1,9 +1,12 @@
 """Extrapolated forces against another program's, and how the grid's error falls."""
 
+import doctest
+
 import numpy as np
 import pytest
 
 from tests.helpers.creep import errors, forces, motion, stored, stored_patch
+from wrcontact.reference import rolling
 from wrcontact.reference.rolling import Outline, roll_ellipse, roll_outline, rolling_contact
 
 ELLIPSES = stored("ellipses_extrapolated.json")["cases"]
@@ -62,3 +65,7 @@ def test_the_error_is_of_first_order():
     assert np.all((1.6 < first / second) & (first / second < 2.4)), first / second
     moved = (found[2] + second) - (found[1] + first)
     assert np.all(np.abs(moved[:2]) < 3e-3 * 0.3 * 8e4), (moved, second)
+
+
+def test_the_example():
+    assert doctest.testmod(rolling) == (0, 3)

@@ -1,5 +1,7 @@
 """Coulomb's law cell by cell, the energy, symmetries, and wrong arguments."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -32,7 +34,7 @@ def test_coulombs_law_holds_in_every_cell(values):
     allowed = 2.0 * PRECISION * bound.max()
     assert np.all(np.hypot(*p) <= bound + allowed)
     sticks = ~found.slips & (bound > 0.0)
-    stiffness = bound.max() / np.hypot(*values[:2], 1e-3 * values[2])
+    stiffness = bound.max() / math.hypot(*values[:2], 4e-3 * values[2])
     assert np.all(np.hypot(*s[:, sticks]) * stiffness < 1e-3 * bound.max())
     direction = s[:, found.slips] / np.hypot(*s[:, found.slips])
     assert np.abs(p[:, found.slips] + bound[found.slips] * direction).max() < 2e-5 * bound.max()
@@ -41,17 +43,19 @@ def test_coulombs_law_holds_in_every_cell(values):
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)
 def test_the_friction_power_is_the_work_of_the_forces(values):
     """No elastic energy is left behind in steady rolling: power over speed is -(Fx xi + Fy eta + Mz phi).
-    The cells' error is 1 % of the friction limit's power at most, after extrapolation."""
+    What the cells leave over after extrapolation is 1.5 % of the power of full friction at most."""
     found = roll_outline(OUTLINE, **motion(values), **MATERIAL)
     work = -forces(found) @ values
-    assert found.dissipation == pytest.approx(work, abs=0.01 * LIMIT * np.hypot(*values[:2], 4e-3 * values[2]))
+    full = LIMIT * math.hypot(*values[:2], 4e-3 * values[2])
+    assert found.dissipation == pytest.approx(work, abs=0.015 * full)
     assert found.dissipation >= 0.0 and found.coarse.dissipation >= 0.0
 
 
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)
 def test_reversed_motion_reverses_the_forces(values):
     allowed = 1e-5 * LIMIT
-    assert forces(solve(tuple(-each for each in values))) == pytest.approx(-forces(solve(values)), abs=allowed)
+    reversed_motion = tuple(-each for each in values)
+    assert forces(solve(reversed_motion)) == pytest.approx(-forces(solve(values)), abs=allowed)
 
 
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)

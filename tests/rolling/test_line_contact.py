@@ -21,14 +21,14 @@ WIDE, ROWS, COLUMNS = 200, 21, 48
 TOLERANCE = 2e-4
 
 
-def middle_row(columns, creepage_x, creepage_y, spin):
+def middle_row(columns, creepage_x, creepage_y, spin, poisson_ratio=POISSON_RATIO):
     """Line loads (2,) over mu times the normal one, and the share that sticks."""
     outline = Outline.of_stations(np.linspace(-WIDE, WIDE, 5) * A, np.full(5, A), np.full(5, PRESSURE))
     field = outline.on_grid(columns, ROWS)
     slip = rigid_slip(field, creepage_x, creepage_y, spin)
     slip[0] = creepage_x        # plane: spin moves the strip sideways only
     found = contact_of_slip(field, slip, friction=FRICTION, shear_modulus=SHEAR_MODULUS,
-                            poisson_ratio=POISSON_RATIO)
+                            poisson_ratio=poisson_ratio)
     row = ROWS // 2
     limit = FRICTION * PRESSURE * 0.5 * np.pi * A
     return found.line_loads()[:, row] / limit, np.mean(~found.slips[row])
@@ -39,13 +39,14 @@ def extrapolated_row(*motion):
     return 2.0 * fine - coarse, sticks
 
 
-@pytest.mark.parametrize("d", [0.1, 0.5, 0.9], ids="d = {} a".format)
-@pytest.mark.parametrize("angle", [0.0, 90.0, -30.0, 180.0], ids="{} degrees".format)
-def test_creepage_is_carters(d, angle):
-    """The force is mu P (1 - (1 - d/a)^2) along the traction, for any direction of it."""
+@pytest.mark.parametrize("d", [0.1, 0.5, 0.8], ids="d = {} a".format)
+@pytest.mark.parametrize("angle, nu", [(0.0, 0.28), (90.0, 0.28), (180.0, 0.5), (-30.0, 0.0)], ids=str)
+def test_creepage_is_carters(d, angle, nu):
+    """The force is mu P (1 - (1 - d/a)^2) along the traction; with nu = 0 for any direction of it, else for
+    tractions along x or y, as slip and traction have one direction only then."""
     e = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
     unit = 2.0 * FRICTION * PRESSURE * d / SHEAR_MODULUS
-    load, sticks = extrapolated_row(-(1.0 - POISSON_RATIO) * unit * e[0], -unit * e[1], 0.0)
+    load, sticks = extrapolated_row(-(1.0 - nu) * unit * e[0], -unit * e[1], 0.0, nu)
     assert load == pytest.approx(e * (1.0 - (1.0 - d) ** 2), abs=TOLERANCE)
     assert sticks == pytest.approx(1.0 - d, abs=2.0 / COLUMNS)      # counted in cells
 

@@ -16,8 +16,8 @@ from wrcontact.kernel.binding.files import ROOMS
 PACKAGE = ROOT / "wrcontact"
 #: Rooms from upstream to downstream.  The FMU's sources in fmu_src are modules of wrcontact.fmu.
 ORDER = ("storage", "progress", "conventions", "methods", "interface", *(f"kernel.{room}" for room in ROOMS),
-         "kernel.binding", "creep", "profiles", "results", "status", "state", "stepper", "reference", "system",
-         "simulation", "conditioning", "study", "plots", "fmu", "cli")
+         "kernel.binding", "profiles", "results", "status", "state", "stepper", "reference", "creep",
+         "system", "simulation", "conditioning", "study", "plots", "fmu", "cli")
 #: What a user holds; nothing else stands loose at the top of the package.
 TOP = {"system", "stepper", "state", "status", "conventions"}
 CODE = ("wrcontact", "fmu_src", "build_hooks", "tools", "benchmarks", "docs", "examples")

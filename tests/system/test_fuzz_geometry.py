@@ -96,7 +96,8 @@ def check_statuses(found, scene, poses, table):
     """Numbers with status 0 and 1 and with no other; 1 just where a wheel has no load; 2 for cut
     profiles only, 3 and 4 never."""
     status = table.status
-    numbers = np.stack([table[name] for name in table.names if not name.startswith(("force", "moment"))
+    whole = ("force", "moment", "normal.", "driving_torque")      # they need the loads
+    numbers = np.stack([table[name] for name in table.names if not name.startswith(whole)
                         and not name.endswith((".patch_count", ".curvature_y"))], axis=1)
     finite = np.isfinite(numbers).all(axis=1)
     found.add("finite just where valid", finite != (status <= Status.UNLOADED), poses)

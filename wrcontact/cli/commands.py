@@ -9,15 +9,27 @@ import numpy as np
 import typer
 
 from .. import ContactSystem, __version__
+from ..interface.friction import FRICTION
 from ..kernel.binding.platforms import PLATFORMS
+from ..methods import CHOICES
 from ..profiles.remarks import remarks_in_lines
 from ..progress import working
 from ..status import Status
 from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
-from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
+from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
 from .profile_files import reads_files
-from .report import SWEEP_OUTPUTS, Remark, is_compliant, print_state, print_sweep, sentence, state_text
+from .report import (
+    Remark,
+    has_model,
+    is_compliant,
+    print_state,
+    print_sweep,
+    sentence,
+    state_text,
+    sweep_columns,
+    sweep_outputs,
+)
 from .tables import writes_tables
 from .terms import Typed, remark_words, typed
 
@@ -29,6 +41,7 @@ main = typer.Typer(
          "deg, forces in kN, pressures in MPa.")
 MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
 WIDEST = 1000.0  # lateral shift of a sweep [mm]
+RUBBING = {row.name for row in FRICTION}
 PICTURES = (".png", ".svg", ".pdf")
 
 
@@ -123,7 +136,7 @@ def solve(pose, system,
 
     With --contact-mode rigid, the default, the undeformed wheels touch the rails. With elastic, the wheels
     approach the rails until each carries its load. With compliant, --vertical-shift-mm and --roll-deg
-    prescribe the position, and the loads follow.
+    prescribe the position, and the loads follow. With --tangential-model and --speed there are creep forces.
 
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
@@ -162,11 +175,12 @@ def sweep(load, system,
         _write_sweep(file, system, shifts, load, remark)
         print(f"{len(shifts)} rows written to {file.path}")
     else:
-        table = system.evaluate_many(lateral_shift=shifts, outputs=SWEEP_OUTPUTS,
+        columns = sweep_columns(system, load)
+        table = system.evaluate_many(lateral_shift=shifts, outputs=sweep_outputs(columns),
                                      processes=os.cpu_count() or 1, **load)
         remark.add(table)
         if not remark.useless:
-            print_sweep(table, step)
+            print_sweep(table, step, columns)
     if remark.useless:
         raise Refused(remark.words())
     if remark.words():
@@ -283,7 +297,7 @@ def _system(parameters, smoothing):
 
 
 def _refuse_what_is_not_read(system, given):
-    """Refuse an option that the contact mode does not use: the result would not be what was asked for."""
+    """Refuse an option that the methods do not use: the result would not be what was asked for."""
     names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input",
                                                                             "roll_input")
     for variable in POSE:
@@ -291,6 +305,9 @@ def _refuse_what_is_not_read(system, given):
             allowed = "rigid or elastic" if is_compliant(system) else "compliant"
             raise Refused(f"{option_of(variable)} is given; it is permitted only with --contact-mode "
                           f"{allowed}; {system.parameters['contact_mode']!r} does not use it")
+        if variable.name in RUBBING and name_of(variable) in given and not has_model(system):
+            raise Refused(f"{option_of(variable)} is given; it is permitted only with --tangential-model "
+                          f"{' or '.join(CHOICES['tangential_model'][1:])}")
 
 
 def _refuse_without_contact(system, state):

@@ -18,11 +18,23 @@ from ..status import Status, explain
 from .terms import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
-SIDE_ROWS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
-PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith("creepage.")]
+#: What only creep forces give, and the parts of a force without them.
+OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
+            "normal.")
+SIDE_NUMBERS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
+SIDE_ROWS = [row for row in SIDE_NUMBERS if not row[0].startswith(OF_CREEP)]
+SIDE_CREEP_ROWS = [row for row in SIDE_NUMBERS if row[0].startswith(OF_CREEP)]
+PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith(("creepage.", *OF_CREEP))]
 CREEPAGE_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith("creepage.")]
-#: Columns for each wheel in a printed sweep: heading, name, digits after the point.
-SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
+CREEP_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith(OF_CREEP)]
+#: Digits of small numbers after the point: N and N.m are shown in kN and kN.m.
+DIGITS = {"wear_number": 6, "tangential.moment": 6}
+#: Columns for each wheel in a printed sweep: heading, name, unit, digits after the point; the others with
+#: creep forces: which share of the friction is used, and its power.
+SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("area", "area", "m2", 1),
+                 ("pressure", "max_pressure", "Pa", 0))
+CREEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("used", "patch[1].saturation", "1", 3),
+                 ("power", "friction_power", "W", 3))
 
 
 def sentence(status, inputs, compliant=False, terms=None):
@@ -54,7 +66,14 @@ def print_state(system, state):
               f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
     out.print(f"contact forces on the wheelset {vector_words(state.force, 'N')}, moment about its centre "
               f"{vector_words(state.moment, 'N.m')}", soft_wrap=True)
-    out.print(state_table(state))
+    rubbing = has_creep_forces(system, state.inputs)
+    if rubbing:
+        out.print(f"of these without creep forces {vector_words(state.normal.force, 'N')}, "
+                  f"{vector_words(state.normal.moment, 'N.m')}; driving torque "
+                  f"{shown(state.driving_torque, 'N.m')} {unit_name('N.m')}", soft_wrap=True)
+    elif has_model(system):
+        out.print("no creep forces: neither --speed nor --wheel-rate is given", soft_wrap=True)
+    out.print(state_table(state, rubbing))
     if state.status:
         out.print(sentence(state.status, state.inputs, is_compliant(system), Typed()), soft_wrap=True)
 
@@ -73,17 +92,29 @@ def vector_words(vector, unit):
     return f"({', '.join(shown(getattr(vector, axis), unit) for axis in VECTOR_AXES)}) {unit_name(unit)}"
 
 
-def state_table(state):
-    """A table with the columns quantity, unit, left, right."""
+def has_model(system):
+    """Whether creep forces are computed for a wheelset that rolls."""
+    return system.parameters["tangential_model"] != "none"
+
+
+def has_creep_forces(system, inputs):
+    """Whether there are creep forces at these inputs, of one pose or of all in a sweep."""
+    return has_model(system) and is_rolling(inputs)
+
+
+def state_table(state, rubbing=False):
+    """A table with the columns quantity, unit, left, right; ``rubbing`` tells whether there are creep
+    forces."""
     table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
     for side in SIDES:
         table.add_column(side, justify="right")
     sides = [getattr(state, side) for side in SIDES]
     table.add_row("patch_count", "", *(str(side.patch_count) for side in sides))
-    for name, unit in SIDE_ROWS:
-        table.add_row(name, unit_name(unit), *(shown(attrgetter(name)(side), unit) for side in sides))
+    for name, unit in SIDE_ROWS + SIDE_CREEP_ROWS * rubbing:
+        table.add_row(name, unit_name(unit),
+                      *(shown(attrgetter(name)(side), unit, DIGITS.get(name)) for side in sides))
     most = max(side.patch_count for side in sides)
-    rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state)
+    rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state.inputs) + CREEP_ROWS * rubbing
     for k in range(most if rows else 0):
         table.add_section()
         for name, unit in rows:
@@ -92,13 +123,15 @@ def state_table(state):
     return table
 
 
-def is_rolling(state):
-    """Whether a pose has creepages."""
-    return bool(state.inputs[[layout.IN_SPEED, layout.IN_WHEEL_RATE]].any())
+def is_rolling(inputs):
+    """Whether there are creepages at these inputs."""
+    return bool(inputs[..., [layout.IN_SPEED, layout.IN_WHEEL_RATE]].any())
 
 
 def _of_patch(side, k, name, unit):
-    return shown(attrgetter(name)(side.patches[k]), unit) if k < len(side.patches) else ""
+    if k >= len(side.patches):
+        return ""
+    return shown(attrgetter(name)(side.patches[k]), unit, DIGITS.get(name))
 
 
 def state_text(system, state):
@@ -119,18 +152,25 @@ def _plain(value):
 
 # --- sweeps --------------------------------------------------------------------------------------
 
-#: Outputs that a printed sweep shows.
-SWEEP_OUTPUTS = ["roll", *(f"{side}.{name}" for side in SIDES for _, name, _ in SWEEP_COLUMNS)]
+
+def sweep_outputs(columns):
+    """Outputs that a printed sweep shows with these columns for each wheel."""
+    return ["roll", *(f"{side}.{name}" for side in SIDES for _, name, _, _ in columns)]
 
 
-def print_sweep(table, step):
-    """Print contact position, area and largest pressure of both wheels against the lateral shift, whose steps
-    are ``step`` [mm], in display units."""
-    units = dict(SIDE_ROWS)
+def sweep_columns(system, given):
+    """Columns for each wheel in a sweep whose inputs are ``given`` by name."""
+    rolling = any(given.get(name) for name in ("speed", "wheel_rate"))
+    return CREEP_COLUMNS if has_model(system) and rolling else SWEEP_COLUMNS
+
+
+def print_sweep(table, step, columns=SWEEP_COLUMNS):
+    """Print the ``columns`` of both wheels against the lateral shift, whose steps are ``step`` [mm], in
+    display units."""
     digits_of_shift = max(3, min(9, 1 - math.floor(math.log10(step))))
     quantities = [("shift", table["lateral_shift"], "m", digits_of_shift), ("roll", table["roll"], "rad", 4)]
-    quantities += [(f"{side}\n{heading}", table[f"{side}.{name}"], units[name], digits)
-                   for side in SIDES for heading, name, digits in SWEEP_COLUMNS]
+    quantities += [(f"{side}\n{heading}", table[f"{side}.{name}"], unit, digits)
+                   for side in SIDES for heading, name, unit, digits in columns]
     printed = Table(box=box.SIMPLE_HEAD)
     for heading, _, unit, _ in quantities:
         printed.add_column(f"{heading}\n{unit_name(unit)}", justify="right", vertical="bottom", no_wrap=True)

@@ -6,5 +6,6 @@
 
 from .forces import CreepForces, creep_forces
 from .patch import CreepPatch, elliptic_patch, outlined_patch
+from .results import patch_of
 
-__all__ = ["CreepForces", "CreepPatch", "creep_forces", "elliptic_patch", "outlined_patch"]
+__all__ = ["CreepForces", "CreepPatch", "creep_forces", "elliptic_patch", "outlined_patch", "patch_of"]

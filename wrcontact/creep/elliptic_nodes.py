@@ -48,6 +48,7 @@ def strip_forces(exact, nu):
     found = np.zeros(exact["forces"].shape[:-1] + (3,))
     workspace = np.zeros(layout.WORK_SIZE)
     rolling = layout.Work.at(workspace).rolling
+    rolling.bare = True
     tables = uncorrected_tables(nu)
     for k, ratio in enumerate(exact["ratio"].tolist()):
         patch = elliptic_patch(MEAN_AXIS * ratio**0.5, MEAN_AXIS * ratio**-0.5, FORCE, poisson_ratio=nu)
@@ -64,10 +65,11 @@ def strip_forces(exact, nu):
 def corrections(folder=EXACT):
     """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
     all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
-    apart = [exact["forces"][..., :3] - strip_forces(exact, nu) for nu, exact in zip(CORRECTION_NODES, all_exact)]
+    apart = [exact["forces"][..., :3] - strip_forces(exact, nu)
+             for nu, exact in zip(CORRECTION_NODES, all_exact)]
     numbers = np.rint(np.array(apart) / CORRECTION_UNIT)
     if np.abs(numbers).max() > np.iinfo(np.int16).max:
-        raise ValueError(f"a correction is {np.abs(numbers).max() * CORRECTION_UNIT:.3g}, more than can be stored")
+        raise ValueError(f"a correction is {np.abs(numbers).max() * CORRECTION_UNIT:.3g}, too large to store")
     return {"correction": numbers.astype(np.int16), "nu": np.array(CORRECTION_NODES),
             "creep_coefficients": np.array([exact["creep_coefficients"] for exact in all_exact]),
             "ratio": all_exact[0]["ratio"], "rho": all_exact[0]["rho"]}

@@ -10,7 +10,7 @@ from ..kernel import layout
 from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
 from ..kernel.prepare import fixed
-from ..methods import NUMBERS, family_of
+from ..methods import HalfspaceRolling, TangentialModel, family_of
 from .checks import check_number
 
 
@@ -36,7 +36,8 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
     spin : rate of turning of the wheel against the rail about the normal, over the rolling speed [1/m];
         x forward, y to the field side and the normal are right-handed.
     friction : coefficient of friction [-].
-    tangential_model : "strips", "fastsim", "fastrip", "polach" or "halfspace".
+    tangential_model : "strips", "fastsim", "fastrip", "polach", "halfspace", or one of these methods with
+        its numbers, such as ``wrcontact.Fastsim(published_spin=1)``.
 
     Returns
     -------
@@ -52,15 +53,27 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
                                     ("spin", spin, "1/m", 1e9)):
         check_number(name, value, unit, -high, high)
     check_number("friction", friction, "", 0.0, 10.0)
-    model = family_of("tangential_model").method(tangential_model)
-    tables = model_tables(NUMBERS["tangential_model"][model.name], patch.youngs_modulus, patch.poisson_ratio)
+    model = tangential_model
+    if not isinstance(model, TangentialModel):
+        model = family_of("tangential_model").method(tangential_model)
+    tables = model_tables(model.kernel_number, patch.youngs_modulus, patch.poisson_ratio)
     workspace = np.zeros(layout.WORK_SIZE)
     rolling = layout.Work.at(workspace).rolling
     rolling.creepage_x, rolling.creepage_y = creepage_x, creepage_y
     rolling.spin, rolling.friction = spin, friction
+    rolling.published = getattr(model, "published_spin", 0) == 1
     roll(patch, tables, workspace)
+    if model.name == HalfspaceRolling.name:
+        roll_on_halfspace(patch, rolling)
     return CreepForces(rolling.force_x, rolling.force_y, rolling.moment, rolling.stick_share,
                        rolling.max_shear)
+
+
+def roll_on_halfspace(patch, rolling):
+    """The creep force of a patch that has been cut into strips, by the complete theory."""
+    from ..reference.rolling_step import roll_strips  # needs scipy
+    shear_modulus = patch.youngs_modulus / (2.0 * (1.0 + patch.poisson_ratio))
+    roll_strips(rolling, shear_modulus=shear_modulus, poisson_ratio=patch.poisson_ratio)
 
 
 def roll(patch, tables, workspace):
@@ -83,6 +96,7 @@ def write_patch(patch, solved):
     totals.width = totals.stop - totals.start
     totals.load = patch.normal_force
     totals.max_half_length = patch.half_length.max()
+    totals.centroid = 0.0
     if patch.ellipse:
         totals.area = pi * totals.max_half_length * totals.stop
         return

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from ..kernel.binding.library import HERE, LibraryUnusable, open_library
 from ..kernel.binding.platforms import LIBRARY_NAME, library_name
+from ..kernel.binding.reach_table import DATA
+from ..kernel.binding.rolling_table import CORRECTION
 from ..progress import tracked
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
@@ -19,7 +21,7 @@ OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", 
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py"))
+    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py")) | {DATA, CORRECTION}
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 

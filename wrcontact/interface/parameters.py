@@ -1,9 +1,9 @@
 """Everything that is fixed during a simulation: one row for each keyword of
 :class:`~wrcontact.ContactSystem`.
 
-The numbers of track, wheelset and material are declared here, those of a method in its file
-(wrcontact/methods).  Keywords, defaults, ranges, the parameters of an FMU and the options of the command line
-follow from :data:`PARAMETERS`.
+The numbers of track, wheelset and material are declared here, those of friction in friction.py, those of a
+method in its file (wrcontact/methods).  Keywords, defaults, ranges, the parameters of an FMU and the options
+of the command line follow from :data:`PARAMETERS`.
 """
 
 from dataclasses import dataclass, replace
@@ -237,7 +237,8 @@ def checked_parameters(given, groups):
     Parameters
     ----------
     given : values by keyword, where other than the default; a method may be its string or its object.
-    groups : a :class:`Track`, :class:`Wheelset`, :class:`Material` or None by the name in :data:`GROUPS`.
+    groups : a :class:`Track`, :class:`Wheelset`, :class:`Material`, :class:`Friction` or None by the name in
+        :data:`GROUPS`.
 
     Returns
     -------

@@ -10,7 +10,7 @@ import math
 import re
 from dataclasses import dataclass, replace
 
-from .inputs import ANSWERED, INPUTS, POSE
+from .inputs import ANSWERED, INPUTS
 from .outputs import SIDE, SIDES, STATION_COUNT, WHEELSET
 from .parameters import PARAMETERS
 from .rows import AXES, Blocks, Run, Vector
@@ -125,10 +125,9 @@ def _expanded(rows, prefix="", place=""):
 def _output(row, name, meaning, place):
     """One output; angles are bounded by a right angle."""
     low, high = (-math.pi / 2, math.pi / 2) if row.unit == "rad" else (row.minimum, row.maximum)
-    follows = POSE if row.follows is None else row.follows
     if row.whole:
         return Variable(
-            name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=follows, place=place
+            name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=ANSWERED, place=place
         )
     return Variable(
         name,
@@ -138,7 +137,7 @@ def _output(row, name, meaning, place):
         minimum=low,
         maximum=high,
         nominal=row.nominal,
-        depends_on=follows,
+        depends_on=ANSWERED,
         place=place,
     )
 
@@ -157,7 +156,7 @@ def _indexed(variables):
 
 def _equilibrium():
     """Where a compliant wheelset carries its load: computed apart from a step, and only when it is read."""
-    follows = tuple(name for name in POSE if name not in ("vertical_shift_input", "roll_input"))
+    follows = tuple(name for name in ANSWERED if name not in ("vertical_shift_input", "roll_input"))
     words = ("{} of the wheelset at which both wheels carry the load that the inputs give; from here a "
              "wheelset in the contact_mode compliant starts at rest (in other modes {} itself)")
     for name, unit, quantity in (("vertical_shift", "m", "Vertical shift"), ("roll", "rad", "Roll")):

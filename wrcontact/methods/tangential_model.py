@@ -13,7 +13,8 @@ class TangentialModel(Method):
 def published_spin():
     """The field ``published_spin``."""
     return whole(0, 0, 1, "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and "
-                 "FaStrip were published; 0: that of longitudinal creepage, which is closer to the complete theory")
+                 "FaStrip were published; 0: that of longitudinal creepage, which is closer to the complete "
+                 "theory", nominal=1.0)
 
 
 @frozen

@@ -45,6 +45,7 @@ UNIT_OF_INPUT = {"lateral_shift": " m", "yaw": " rad", "roll_guess": " rad", "no
                  "load_transfer": "", "vertical_shift_input": " m", "roll_input": " rad", "speed": " m/s",
                  "lateral_velocity": " m/s", "vertical_velocity": " m/s", "yaw_rate": " rad/s",
                  "roll_rate": " rad/s", "wheel_rate": " rad/s", "track_curvature": " 1/m",
+                 "left.friction": "", "right.friction": "",
                  **{f"{side}.rail_{part}_velocity": unit for side in ("left", "right")
                     for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))},
                  **{f"{side}.rail_{part}": unit for side in ("left", "right")

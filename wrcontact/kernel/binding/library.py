@@ -120,7 +120,8 @@ class Kernel:
             self.library.wrcontact_cut_patch(span(workspace), index)
             return
         work = Work.at(workspace)
-        import_module("..tangential.sections", __package__).cut_patch(work.contact.solved, index, work.rolling)
+        source = import_module("..tangential.sections", __package__)
+        source.cut_patch(work.contact.solved, index, work.rolling)
 
     def solve_tangential(self, tables, workspace):
         """The creep force of the rolling patch in the workspace (n,), by the model of the tables (n,)."""

@@ -1,9 +1,9 @@
 """How a strip of tractions along the rolling direction reaches beside itself: the functions S of eq. (K2).
 
 A strip carries X sqrt((1 - x)/(1 + x)), x from the trailing to the leading edge, or in spin X sqrt(1 - x^2);
-the slip that this takes from the surface at the distance eta beside it is weighted with sqrt((1 + x)/(1 - x)),
-in spin with x sqrt(1 - x^2).  Cerruti's solution for a half-space of Poisson's ratio nu gives, over eta,
-with r^2 = (cos t - cos t')^2 + eta^2 and the integrals over 0 < t, t' < pi,
+the slip that this takes from the surface at the distance eta beside it is weighted with
+sqrt((1 + x)/(1 - x)), in spin with x sqrt(1 - x^2).  Cerruti's solution for a half-space of Poisson's ratio
+nu gives, over eta, with r^2 = (cos t - cos t')^2 + eta^2 and the integrals over 0 < t, t' < pi,
 
     P = 1/(2 pi^2) int int eta / r,    P_s = 2/pi^2 int int sin^2 t sin^2 t' eta / r
     R = 1/(2 pi^2) int int eta^3 / r^3,   R_s = 2/pi^2 int int sin^2 t sin^2 t' eta^3 / r^3      (K4)
@@ -38,8 +38,9 @@ def reach_nodes():
 
 
 def reach_parts():
-    """The two parts (part, n) of the table of reaches: S = first + weight second, with the weights nu/(1 - nu)
-    for S_x and nu for the others, as cubics over the cells; behind them the same at the first node."""
+    """The two parts (part, n) of the table of reaches: S = first + weight second, with the weights
+    nu/(1 - nu) for S_x and nu for the others, as cubics over the cells; behind them the same at the first
+    node."""
     near, far, near_spin, far_spin = stored()["reaches"]
     pairs = (near, near - far), (near, far - near), (near_spin, far_spin - near_spin)
     parts = []

@@ -99,8 +99,8 @@ static inline double correction__scale_at(array_double_1d tables, int64_t table,
     return result;
 }
 
-/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies; ``along``
- * and ``turning`` are not negative.
+/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
+ * ``along`` and ``turning`` are not negative.
  */
 static inline int64_t correction__node_at(int64_t* at, double* on_elevation, double* on_azimuth, double* on_radius, array_double_1d tables, int64_t table, double along, double across, double turning)
 {
@@ -112,7 +112,7 @@ static inline int64_t correction__node_at(int64_t* at, double* on_elevation, dou
     flat = sqrt(across * across + turning * turning);
     radius = sqrt(flat * flat + along * along);
     table_cell__table_cell(&elevation, on_elevation, atan2(along, flat) * (2.0 / M_PI) * (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)));
-    table_cell__table_cell(&azimuth, on_azimuth, atan2(turning, across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
+    table_cell__table_cell(&azimuth, on_azimuth, atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
     correction__radius_cell(&cell, on_radius, tables, table, radius / (1.0 + radius));
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;

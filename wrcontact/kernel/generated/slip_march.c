@@ -87,7 +87,14 @@ static inline int64_t slip_march__march_strip(array_double_1d tables, array_doub
     first = INT64_C(0);
     if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) > 0.0)
     {
-        first = slip_march__march_stick(tables, work, table, march);
+        if (((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < 1.0) || ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0))
+        {
+            first = slip_march__march_stick(tables, work, table, march);
+        }
+        else
+        {
+            first = slip_march__march_held(tables, work, table, march);
+        }
         if (first < layout__POINT_LIMIT)
         {
             slip_march__cross_edge(tables, work, table, march, first);
@@ -165,6 +172,52 @@ static inline int64_t slip_march__note_largest(array_double_1d work, int64_t mar
         (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = square;
     }
     return INT64_C(0);
+}
+
+/* Add the points of a stick zone that counts as a whole and stays within the bound, without the second
+ * root of eq. (Z1); the first point behind.
+ */
+static inline int64_t slip_march__march_held(array_double_1d tables, array_double_1d work, int64_t table, int64_t march)
+{
+    double a;
+    double top;
+    double lag;
+    double before;
+    double first_x;
+    double first_y;
+    double sum_x;
+    double sum_moment;
+    double x;
+    double bound;
+    double step;
+    int64_t q;
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
+    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
+    first_x = 0.0;
+    first_y = 0.0;
+    sum_x = 0.0;
+    sum_moment = 0.0;
+    q = INT64_C(0);
+    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
+    {
+        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        bound = top * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        step = before - x;
+        before = x;
+        tractions__cut_to(&first_x, &first_y, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * (x + lag * step)), bound);
+        sum_x += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
+        sum_moment += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound * x;
+        q += INT64_C(1);
+    }
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = before;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = first_x;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment;
+    return q;
 }
 
 /* Add the points of the stick zone, without the second root of eq. (Z1) but for what cuts it to the
@@ -309,27 +362,75 @@ static inline double slip_march__sqrt_of(double value)
     return root;
 }
 
-/* Add the points of the slip zone from ``first`` on. */
+/* Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the
+ * model takes, so that nothing is kept in the record meanwhile.
+ */
 static inline int64_t slip_march__march_slip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t first)
 {
     double a;
+    double top;
+    double lag;
+    double share;
+    double before;
+    double first_x;
+    double first_y;
+    double second_x;
+    double second_y;
+    double sum_x;
+    double sum_y;
+    double sum_moment;
+    double largest;
     int64_t q;
     double x;
-    double step;
+    double weight;
     double bound;
-    double p_x;
-    double p_y;
+    double step;
+    double at;
+    double along;
+    double across;
+    double square;
+    double scale;
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
+    share = (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE));
+    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
+    first_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X));
+    first_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y));
+    second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
+    second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
+    sum_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X));
+    sum_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y));
+    sum_moment = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    largest = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
     for (q = first; q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-        bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        slip_march__step_first(work, march, x, step, bound);
-        slip_march__step_second(work, march, (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)), x, step, bound);
-        slip_march__slip_traction(&p_x, &p_y, work, march, bound);
-        slip_march__note_largest(work, march, p_x, p_y);
-        slip_march__add_point(work, march, x, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), p_x, p_y);
+        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        bound = top * weight;
+        step = before - x;
+        before = x;
+        at = x + lag * step;
+        tractions__cut_to(&first_x, &first_y, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at), bound);
+        tractions__cut_to(&second_x, &second_y, second_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))), second_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at), bound);
+        along = first_x + share * (second_x - first_x);
+        across = first_y + share * (second_y - first_y);
+        square = along * along + across * across;
+        scale = bound / sqrt(square + slip_march__SOFT * slip_march__SOFT * (bound * bound - square) + slip_march__NOTHING);
+        along *= scale;
+        across *= scale;
+        square = along * along + across * across;
+        if (square > largest)
+        {
+            largest = square;
+        }
+        sum_x += weight * along;
+        sum_y += weight * across;
+        sum_moment += weight * x * across;
     }
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = sum_x;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = largest;
     return INT64_C(0);
 }

@@ -50,6 +50,7 @@ static inline int64_t slip_march__slip_traction(double* result_0, double* result
 static inline int64_t slip_march__note_largest(array_double_1d work, int64_t march, double p_x, double p_y);
 static inline int64_t slip_march__add_point(array_double_1d work, int64_t march, double x, double weight, double p_x, double p_y);
 static inline int64_t slip_march__march_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march);
+static inline int64_t slip_march__march_held(array_double_1d tables, array_double_1d work, int64_t table, int64_t march);
 static inline double slip_march__sqrt_of(double value);
 static inline int64_t slip_march__cross_edge(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t q);
 static inline int64_t slip_march__march_slip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t first);

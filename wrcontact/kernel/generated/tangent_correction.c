@@ -214,9 +214,10 @@ static inline int64_t tangent_correction__node_at_t(int64_t* at, double* on_elev
     double v9;
     double v10;
     double v11;
-    int64_t azimuth;
     double v12;
+    int64_t azimuth;
     double v13;
+    double v14;
     int64_t cell;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
@@ -231,13 +232,14 @@ static inline int64_t tangent_correction__node_at_t(int64_t* at, double* on_elev
     v7 = v5 * v6;
     v8 = (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1));
     tangent_table_cell__table_cell_t(&elevation, on_elevation, on_elevation_t, v7 * v8, (flat * along_t - along * flat_t) / (flat * flat + along * along) * v6 * v8, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
-    v9 = atan2(turning, across);
-    v10 = v9 / M_PI;
-    v11 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    tangent_table_cell__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v10 * v11, (across * turning_t - turning * across_t) / (across * across + turning * turning) / M_PI * v11, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
-    v12 = 1.0 + radius;
-    v13 = radius / v12;
-    tangent_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v13, (radius_t - v13 * radius_t) / v12);
+    v9 = fabs(turning);
+    v10 = atan2(v9, across);
+    v11 = v10 / M_PI;
+    v12 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
+    tangent_table_cell__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v11 * v12, (across * tangent_rates__size_rate(turning, turning_t) - v9 * across_t) / (across * across + v9 * v9) / M_PI * v12, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
+    v13 = 1.0 + radius;
+    v14 = radius / v13;
+    tangent_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v14, (radius_t - v14 * radius_t) / v13);
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
 }

@@ -154,6 +154,7 @@ static inline int64_t tangent_slip_march__march_strip_t(array_double_1d tables, 
 {
     int64_t first;
     int64_t n1;
+    int64_t n2;
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
@@ -173,8 +174,16 @@ static inline int64_t tangent_slip_march__march_strip_t(array_double_1d tables, 
     first = INT64_C(0);
     if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) > 0.0)
     {
-        n1 = tangent_slip_march__march_stick_t(tables, work, work_t, table, march);
-        first = n1;
+        if (((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < 1.0) || ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0))
+        {
+            n1 = tangent_slip_march__march_stick_t(tables, work, work_t, table, march);
+            first = n1;
+        }
+        else
+        {
+            n2 = tangent_slip_march__march_held_t(tables, work, work_t, table, march);
+            first = n2;
+        }
         if (first < layout__POINT_LIMIT)
         {
             tangent_slip_march__cross_edge_t(tables, work, work_t, table, march, first);
@@ -297,6 +306,87 @@ static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, a
         (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = square;
     }
     return INT64_C(0);
+}
+
+/* Tangent of ``march_held``. */
+static inline int64_t tangent_slip_march__march_held_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march)
+{
+    double a_t;
+    double a;
+    double top_t;
+    double top;
+    double lag_t;
+    double lag;
+    double before_t;
+    double before;
+    double first_x_t;
+    double first_x;
+    double first_y_t;
+    double first_y;
+    double sum_x_t;
+    double sum_x;
+    double sum_moment_t;
+    double sum_moment;
+    double x_t;
+    double x;
+    double bound_t;
+    double bound;
+    double step_t;
+    double step;
+    double v1;
+    double v2;
+    double v3;
+    int64_t q;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    top_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t;
+    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+    lag_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG));
+    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
+    before_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X));
+    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
+    first_x_t = 0.0;
+    first_x = 0.0;
+    first_y_t = 0.0;
+    first_y = 0.0;
+    sum_x_t = 0.0;
+    sum_x = 0.0;
+    sum_moment_t = 0.0;
+    sum_moment = 0.0;
+    q = INT64_C(0);
+    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
+    {
+        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        bound_t = top_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        bound = top * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        step_t = before_t - x_t;
+        step = before - x;
+        before_t = x_t;
+        before = x;
+        v1 = x + lag * step;
+        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * v1;
+        tangent_tractions__cut_to_t(&first_x, &first_x_t, &first_y, &first_y_t, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0)))), first_y - step * v2, first_y_t - (step_t * v2 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * (x_t + (lag_t * step + lag * step_t))))), bound, bound_t);
+        sum_x_t = sum_x_t + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound_t;
+        sum_x = sum_x + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
+        v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
+        sum_moment_t = sum_moment_t + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound_t * x + v3 * x_t);
+        sum_moment = sum_moment + v3 * x;
+        q = q + INT64_C(1);
+    }
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = before_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = before;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = first_x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = first_x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * sum_x + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment;
+    return q;
 }
 
 /* Tangent of ``march_stick``. */
@@ -572,34 +662,142 @@ static inline int64_t tangent_slip_march__march_slip_t(array_double_1d tables, a
 {
     double a_t;
     double a;
+    double top_t;
+    double top;
+    double lag_t;
+    double lag;
+    double share_t;
+    double share;
+    double before_t;
+    double before;
+    double first_x_t;
+    double first_x;
+    double first_y_t;
+    double first_y;
+    double second_x_t;
+    double second_x;
+    double second_y_t;
+    double second_y;
+    double sum_x_t;
+    double sum_x;
+    double sum_y_t;
+    double sum_y;
+    double sum_moment_t;
+    double sum_moment;
+    double largest_t;
+    double largest;
     int64_t q;
     double x_t;
     double x;
-    double step_t;
-    double step;
-    double v1;
+    double weight;
     double bound_t;
     double bound;
-    double p_x;
-    double p_x_t;
-    double p_y;
-    double p_y_t;
+    double step_t;
+    double step;
+    double at_t;
+    double at;
+    double v1;
+    double v2;
+    double v3;
+    double along_t;
+    double along;
+    double v4;
+    double across_t;
+    double across;
+    double square_t;
+    double square;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double v9;
+    double scale_t;
+    double scale;
+    double v10;
     a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    top_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t;
+    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+    lag_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG));
+    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
+    share_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SHARE));
+    share = (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE));
+    before_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X));
+    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
+    first_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X));
+    first_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X));
+    first_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y));
+    first_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y));
+    second_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X));
+    second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
+    second_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y));
+    second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
+    sum_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X));
+    sum_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X));
+    sum_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y));
+    sum_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y));
+    sum_moment_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    sum_moment = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    largest_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST));
+    largest = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
     for (q = first; q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
-        step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-        bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        tangent_slip_march__step_first_t(work, work_t, march, x, x_t, step, step_t, bound, bound_t);
-        tangent_slip_march__step_second_t(work, work_t, march, (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y)), x, x_t, step, step_t, bound, bound_t);
-        tangent_slip_march__slip_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, bound, bound_t);
-        tangent_slip_march__note_largest_t(work, work_t, march, p_x, p_x_t, p_y, p_y_t);
-        tangent_slip_march__add_point_t(work, work_t, march, x, x_t, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), 0.0, p_x, p_x_t, p_y, p_y_t);
+        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        bound_t = top_t * weight;
+        bound = top * weight;
+        step_t = before_t - x_t;
+        step = before - x;
+        before_t = x_t;
+        before = x;
+        at_t = x_t + (lag_t * step + lag * step_t);
+        at = x + lag * step;
+        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at;
+        tangent_tractions__cut_to_t(&first_x, &first_x_t, &first_y, &first_y_t, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0)))), first_y - step * v1, first_y_t - (step_t * v1 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at_t))), bound, bound_t);
+        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at;
+        tangent_tractions__cut_to_t(&second_x, &second_x_t, &second_y, &second_y_t, second_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))), second_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1)))), second_y - step * v2, second_y_t - (step_t * v2 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at_t))), bound, bound_t);
+        v3 = second_x - first_x;
+        along_t = first_x_t + (share_t * v3 + share * (second_x_t - first_x_t));
+        along = first_x + share * v3;
+        v4 = second_y - first_y;
+        across_t = first_y_t + (share_t * v4 + share * (second_y_t - first_y_t));
+        across = first_y + share * v4;
+        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        square = along * along + across * across;
+        v5 = slip_march__SOFT * slip_march__SOFT;
+        v6 = bound * bound - square;
+        v7 = square + v5 * v6 + slip_march__NOTHING;
+        v8 = sqrt(v7);
+        v9 = bound / v8;
+        scale_t = (bound_t - v9 * tangent_rates__root_rate(v8, square_t + v5 * (bound_t * bound + bound * bound_t - square_t))) / v8;
+        scale = v9;
+        along_t = along_t * scale + along * scale_t;
+        along = along * scale;
+        across_t = across_t * scale + across * scale_t;
+        across = across * scale;
+        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        square = along * along + across * across;
+        if (square > largest)
+        {
+            largest_t = square_t;
+            largest = square;
+        }
+        sum_x_t = sum_x_t + weight * along_t;
+        sum_x = sum_x + weight * along;
+        sum_y_t = sum_y_t + weight * across_t;
+        sum_y = sum_y + weight * across;
+        v10 = weight * x;
+        sum_moment_t = sum_moment_t + (weight * x_t * across + v10 * across_t);
+        sum_moment = sum_moment + v10 * across;
     }
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = sum_x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = sum_x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = largest_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = largest;
     return INT64_C(0);
 }

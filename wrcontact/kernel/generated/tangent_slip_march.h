@@ -21,6 +21,7 @@ static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, doub
 static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t march, double p_x, double p_x_t, double p_y, double p_y_t);
 static inline int64_t tangent_slip_march__add_point_t(array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double weight, double weight_t, double p_x, double p_x_t, double p_y, double p_y_t);
 static inline int64_t tangent_slip_march__march_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march);
+static inline int64_t tangent_slip_march__march_held_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march);
 static inline int64_t tangent_slip_march__sqrt_of_t(double* root, double* root_t, double value, double value_t);
 static inline int64_t tangent_slip_march__cross_edge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t q);
 static inline int64_t tangent_slip_march__march_slip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t first);

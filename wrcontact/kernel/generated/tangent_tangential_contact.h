@@ -9,6 +9,7 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "tangent_coupled_strips.h"
+#include "tangent_dissipation.h"
 #include "tangent_fastrip.h"
 #include "tangent_fastsim.h"
 #include "tangent_polach.h"

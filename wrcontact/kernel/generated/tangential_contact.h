@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "coupled_strips.h"
+#include "dissipation.h"
 #include "fastrip.h"
 #include "fastsim.h"
 #include "layout.h"

@@ -89,7 +89,8 @@ class RollingBlock:
     turning: float
 
 
-#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the solution.
+#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the
+#: solution.
 BlockRow = run(BLOCK_COUNT + 1)
 BlockMatrix = BlockRow * BLOCK_COUNT
 RollingBlocks = RollingBlock * BLOCK_COUNT
@@ -143,6 +144,7 @@ class RollingPatch:
     creepage_y: float
     spin: float                     # [1/m]
     backwards: bool                 # whether it rolls towards -x
+    bare: bool                      # whether only the sum over the strips is asked for
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
     strips: RollingStrip * ROLLING_STRIP_LIMIT
     blocks: RollingBlocks

@@ -14,7 +14,7 @@ s3 is zero on both sides of the azimuth's ends, where the table's values change 
 so the correction is continuous all over.
 """
 
-from math import atan2, exp, log, pi, sqrt
+from math import atan2, exp, fabs, log, pi, sqrt
 from typing import Final
 
 from ..layout import (
@@ -88,13 +88,13 @@ def scale_at(table: RollingTable, at: int, share: float):
 
 
 def node_at(table: RollingTable, along: float, across: float, turning: float):
-    """Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies; ``along``
-    and ``turning`` are not negative."""
+    """Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
+    ``along`` and ``turning`` are not negative."""
     flat = sqrt(across * across + turning * turning)
     radius = sqrt(flat * flat + along * along)
     elevation, on_elevation = table_cell(atan2(along, flat) * (2.0 / pi) * float(CORRECTION_ELEVATIONS - 1),
                                          float(CORRECTION_ELEVATIONS - 1))
-    azimuth, on_azimuth = table_cell(atan2(turning, across) / pi * float(CORRECTION_AZIMUTHS - 1),
+    azimuth, on_azimuth = table_cell(atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1),
                                      float(CORRECTION_AZIMUTHS - 1))
     cell, on_radius = radius_cell(table, radius / (1.0 + radius))
     at = elevation * ELEVATION_STRIDE + azimuth * CORRECTION_LINE + cell * CORRECTION_COLUMNS

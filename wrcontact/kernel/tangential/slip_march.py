@@ -86,7 +86,10 @@ def march_strip(table: RollingTable, march: RollingMarch):
     march.sum_moment = 0.0
     first = 0
     if march.weight > 0.0:
-        first = march_stick(table, march)
+        if march.weight < 1.0 or march.twist * march.twist > 1.0:
+            first = march_stick(table, march)
+        else:
+            first = march_held(table, march)
         if first < POINT_LIMIT:
             cross_edge(table, march, first)
             first += 1
@@ -140,6 +143,38 @@ def note_largest(march: RollingMarch, p_x: float, p_y: float):
     if square > march.largest:
         march.largest = square
     return 0
+
+
+def march_held(table: RollingTable, march: RollingMarch):
+    """Add the points of a stick zone that counts as a whole and stays within the bound, without the second
+    root of eq. (Z1); the first point behind."""
+    a = march.half_length
+    top = march.rate * a
+    lag = march.lag
+    before = march.x
+    first_x = 0.0
+    first_y = 0.0
+    sum_x = 0.0
+    sum_moment = 0.0
+    q = 0
+    while q < POINT_LIMIT and a * table.cosines[q] >= march.edge:
+        x = a * table.cosines[q]
+        bound = top * table.sines[q]
+        step = before - x
+        before = x
+        first_x, first_y = cut_to(first_x - step * march.push_x[0],
+                                  first_y - step * (march.push_y[0] + march.push_turn[0] * (x + lag * step)),
+                                  bound)
+        sum_x += table.sines[q] * bound
+        sum_moment += table.sines[q] * bound * x
+        q += 1
+    march.x = before
+    march.first_x = first_x
+    march.first_y = first_y
+    march.sum_x = march.stick_x * sum_x
+    march.sum_y = march.stick_y * sum_x
+    march.sum_moment = march.stick_y * sum_moment
+    return q
 
 
 def march_stick(table: RollingTable, march: RollingMarch):
@@ -229,15 +264,46 @@ def sqrt_of(value: float):
 
 
 def march_slip(table: RollingTable, march: RollingMarch, first: int):
-    """Add the points of the slip zone from ``first`` on."""
+    """Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the
+    model takes, so that nothing is kept in the record meanwhile."""
     a = march.half_length
+    top = march.rate * a
+    lag = march.lag
+    share = march.share
+    before = march.x
+    first_x = march.first_x
+    first_y = march.first_y
+    second_x = march.second_x
+    second_y = march.second_y
+    sum_x = march.sum_x
+    sum_y = march.sum_y
+    sum_moment = march.sum_moment
+    largest = march.largest
     for q in range(first, POINT_LIMIT):
         x = a * table.cosines[q]
-        step = march.x - x
-        bound = march.rate * a * table.sines[q]
-        step_first(march, x, step, bound)
-        step_second(march, march.second_x, march.second_y, x, step, bound)
-        p_x, p_y = slip_traction(march, bound)
-        note_largest(march, p_x, p_y)
-        add_point(march, x, table.sines[q], p_x, p_y)
+        weight = table.sines[q]
+        bound = top * weight
+        step = before - x
+        before = x
+        at = x + lag * step
+        first_x, first_y = cut_to(first_x - step * march.push_x[0],
+                                  first_y - step * (march.push_y[0] + march.push_turn[0] * at), bound)
+        second_x, second_y = cut_to(second_x - step * march.push_x[1],
+                                    second_y - step * (march.push_y[1] + march.push_turn[1] * at), bound)
+        along = first_x + share * (second_x - first_x)
+        across = first_y + share * (second_y - first_y)
+        square = along * along + across * across
+        scale = bound / sqrt(square + SOFT * SOFT * (bound * bound - square) + NOTHING)
+        along *= scale
+        across *= scale
+        square = along * along + across * across
+        if square > largest:
+            largest = square
+        sum_x += weight * along
+        sum_y += weight * across
+        sum_moment += weight * x * across
+    march.sum_x = sum_x
+    march.sum_y = sum_y
+    march.sum_moment = sum_moment
+    march.largest = largest
     return 0

@@ -9,6 +9,7 @@ from ..layout import (
     Tables,
 )
 from .coupled_strips import solve_strips
+from .dissipation import keep_dissipating
 from .fastrip import solve_fastrip
 from .fastsim import solve_fastsim
 from .polach import solve_polach
@@ -32,6 +33,9 @@ def solve_tangential(tables: Tables, rolling: RollingPatch):
             solve_fastrip(tables, rolling)
         elif tables.tangential == TANGENTIAL_POLACH:
             solve_polach(tables, rolling)
+        if tables.tangential != TANGENTIAL_POLACH and not rolling.bare:
+            # Polach's formula has no moment, which belongs to the power of spin
+            keep_dissipating(rolling)
         if rolling.backwards:
             mirror_rolling(rolling)
     return 0

@@ -26,7 +26,7 @@ class Friction:
         self.tractions, self.slip = tractions, slip
         self.loaded = bound > 0.0
         self.slips = self.loaded & (length > bound)
-        length = np.maximum(length, np.finfo(float).tiny)
+        length = np.where(length > 0.0, length, 1.0)
         share = np.where(self.slips, bound / length, 1.0)
         self.residual = np.where(self.loaded, tractions - share * wanted, tractions)
         self.error = np.abs(self.residual).max()

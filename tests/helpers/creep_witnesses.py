@@ -1,0 +1,174 @@
+"""Witnesses for outputs that friction gives: creep forces by Polach's formula in numpy, or friction times
+pressure where all slides, and vector sums; a part of output_witnesses.py."""
+
+from math import cos, hypot, pi, sin
+
+import numpy as np
+
+from tests.helpers.motion_witnesses import patch_moves
+from tests.helpers.numpy_polach import polach
+
+EXACT = 1e-9
+#: Between its nodes Kalker's table is a straight line here and smooth in the kernel [share of mu N].
+OF_FORCE = 0.005
+#: How much the slip and its direction change over a patch where all slides.
+OF_SLIDING = 0.01
+#: The middles of sixteen strips miss this share of the largest pressure, and the lines between them that.
+OF_LARGEST, OF_STATION = 0.05, 0.1
+YOUNG, POISSON = 210e9, 0.28
+
+
+def friction(wheel):
+    """The coefficient of friction of a wheel that has creep forces, else None."""
+    rolls = wheel.inputs.get("speed") and wheel.tangential != "none"
+    return wheel.inputs[f"{wheel.side}.friction"] if rolls else None
+
+
+def slides(wheel):
+    """Whether the scene is one in which all slides; the others have Polach's formula."""
+    return wheel.tangential == "fastsim"
+
+
+def of_patch(wheel, k, *names):
+    return [wheel[f"patch[{k}].{name}"] for name in names]
+
+
+def axes(wheel, k):
+    """Directions of tangential.x, of tangential.y and of the normal from the rail to the wheel (3, 3)."""
+    angle = wheel[f"patch[{k}].contact_angle"]
+    sine, cosine = sin(angle), cos(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, wheel.sign * cosine, -sine], [0.0, -wheel.sign * sine, -cosine]])
+
+
+def creep_vectors(wheel, k):
+    """Creep force of a patch, and its moment about the wheelset's centre, by its own outputs (2, 3)."""
+    x, y, moment = of_patch(wheel, k, "tangential.x", "tangential.y", "tangential.moment")
+    along, outside, normal = axes(wheel, k)
+    force = x * along + y * outside
+    arm = np.array(of_patch(wheel, k, "x_track", "y_track", "z_track")) - wheel.centre
+    return np.array([force, np.cross(arm, force) + moment * normal])
+
+
+def side_creep(wheel):
+    """Creep force and moment of a wheel, the sum over its patches (2, 3)."""
+    return sum((creep_vectors(wheel, k) for k in range(1, wheel.count + 1)), np.zeros((2, 3)))
+
+
+def expected_force(wheel, k):
+    """(tangential.x, tangential.y): friction times load against the slip, or by Polach's formula."""
+    if slides(wheel):
+        slide, _ = patch_moves(wheel, k)
+        along = np.array([slide @ axis for axis in axes(wheel, k)[:2]])
+        return -friction(wheel) * wheel[f"patch[{k}].normal_force"] * along / np.hypot(*along)
+    load, area, length, width = of_patch(wheel, k, "normal_force", "area", "length", "width")
+    x, y, spin = of_patch(wheel, k, "creepage.x", "creepage.y", "creepage.spin")
+    # the ellipse with the area of the patch, and its length over its width
+    a, b = (np.sqrt(area / pi * ratio) for ratio in (length / width, width / length))
+    # seen to the field side, and about the normal into the rail, on the right wheel
+    return polach(a=a, b=b, load=load, friction=friction(wheel), shear_modulus=YOUNG / (2 * (1 + POISSON)),
+                  nu=POISSON, x=x, y=-wheel.sign * y, spin=-wheel.sign * spin)
+
+
+def zero_without_friction(witness):
+    def zero_or(wheel, *place):
+        if friction(wheel) is None:
+            yield 0.0, 0.0
+        else:
+            yield from witness(wheel, *place)
+    return zero_or
+
+
+def tangential(index):
+    @zero_without_friction
+    def witness(wheel, k):
+        yield expected_force(wheel, k)[index], OF_FORCE * friction(wheel) * wheel[f"patch[{k}].normal_force"]
+    return witness
+
+
+@zero_without_friction
+def moment(wheel, k):
+    """Polach's formula knows none; where all slides tractions are as the pressure, and the moment is about
+    the centre of load."""
+    if slides(wheel):
+        load, area = of_patch(wheel, k, "normal_force", "area")
+        yield 0.0, OF_SLIDING * friction(wheel) * load * np.sqrt(area)
+    else:
+        yield 0.0, 0.0
+
+
+def stick_share(wheel, k):
+    """Nothing sticks, or Polach's formula does not know it."""
+    yield 0.0, 0.0
+
+
+@zero_without_friction
+def max_shear(wheel, k):
+    """Of tractions that are spread as the pressure of the ellipse, or friction times the largest pressure."""
+    load, area = of_patch(wheel, k, "normal_force", "area")
+    if slides(wheel):
+        largest = friction(wheel) * wheel[f"patch[{k}].max_pressure"]
+        yield largest, OF_LARGEST * largest
+    else:
+        yield 1.5 * hypot(*expected_force(wheel, k)) / area, 1.5 * OF_FORCE * friction(wheel) * load / area
+
+
+@zero_without_friction
+def shear(wheel, j):
+    """Friction times the mean of the pressure along the patch, which is an ellipse's; Polach's formula does
+    not know it.  At the edges it follows straight lines."""
+    pressures = [wheel[f"pressure[{i}]"] for i in range(1, 32)]
+    mean = friction(wheel) * pi / 4.0 * wheel[f"pressure[{j}]"] * slides(wheel)
+    yield mean, slides(wheel) * friction(wheel) * OF_STATION * max(pressures)
+
+
+@zero_without_friction
+def slip(wheel, j):
+    """The velocity of the wheel's surface where all slides; spin and the wheel's profile change it little."""
+    if slides(wheel) and wheel[f"pressure[{j}]"] > 0.0:
+        value = np.linalg.norm(patch_moves(wheel, 1)[0])
+        yield value, OF_SLIDING * value
+    else:
+        yield 0.0, 0.0
+
+
+@zero_without_friction
+def saturation(wheel, k):
+    yield hypot(*expected_force(wheel, k)) / (friction(wheel) * wheel[f"patch[{k}].normal_force"]), OF_FORCE
+    yield (hypot(*of_patch(wheel, k, "tangential.x", "tangential.y"))
+           / (friction(wheel) * wheel[f"patch[{k}].normal_force"]), EXACT)
+
+
+def power(wheel, k):
+    """Of the creep force and its moment on the wheel's surface, which is moved with the wheelset."""
+    slide, turning = patch_moves(wheel, k)
+    force = creep_vectors(wheel, k)[0]
+    return -(force @ slide + wheel[f"patch[{k}].tangential.moment"] * turning)
+
+
+@zero_without_friction
+def patch_power(wheel, k):
+    value = power(wheel, k)
+    yield value, 1e-5 * abs(value) + 1e-3         # [W]; velocities by differences
+
+
+@zero_without_friction
+def side_power(wheel):
+    value = sum(power(wheel, k) for k in range(1, wheel.count + 1))
+    yield value, 1e-5 * abs(value) + 1e-3
+
+
+@zero_without_friction
+def wear_number(wheel):
+    value = sum(abs(np.multiply(of_patch(wheel, k, "tangential.x", "tangential.y"),
+                                of_patch(wheel, k, "creepage.x", "creepage.y"))).sum()
+                for k in range(1, wheel.count + 1))
+    yield value, EXACT * value
+
+
+def driving_torque(scene):
+    """About the axle, which is yawed and rolled; a wheel turns forward against the axle's direction to the
+    right."""
+    yaw, roll = scene.inputs.get("yaw", 0.0), scene.values["roll"]
+    axle = np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
+    moments = [side_creep(wheel)[1] for wheel in scene.wheels.values()]
+    yield -sum(moments) @ axle, EXACT * 1e3 + EXACT * np.abs(moments).max()
