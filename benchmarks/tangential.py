@@ -8,7 +8,6 @@ machine.py.
 import sys
 
 from tests.helpers import creep_cases
-
 from wrcontact.creep import forces
 from wrcontact.kernel.binding.library import default_kernel, span
 

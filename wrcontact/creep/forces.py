@@ -51,7 +51,8 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
         where a number is out of its range or a model is unknown, in a sentence.
     """
     if not isinstance(patch, CreepPatch):
-        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a CreepPatch, such as of elliptic_patch")
+        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a CreepPatch, as elliptic_patch "
+                        "makes one")
     for name, value, unit, high in (("creepage_x", creepage_x, "", 1e6), ("creepage_y", creepage_y, "", 1e6),
                                     ("spin", spin, "1/m", 1e9)):
         check_number(name, value, unit, -high, high)
