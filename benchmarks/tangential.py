@@ -1,70 +1,81 @@
-"""Errors and costs of the models of creep forces on single patches: ``python -m benchmarks.tangential``.
+"""Errors of the models of creep forces against the complete theory of steady rolling, patch by patch
+(docs/rolling.md), and quoted errors of CONTACT's fast methods.
 
-Errors are those of the force against the complete theory in % of mu N, mean / 95 % / largest, on the cases of
-tests/reference/creep; costs are those of one patch, cutting it into strips included, in the unit of
-machine.py.
+    python -m benchmarks tangential_errors
+
+An error is the length of the difference of the force vectors over mu N, or that of the moments over
+mu N sqrt(ab).
 """
 
-import sys
+import json
 
-from tests.helpers import creep_cases
-from wrcontact.creep import forces
-from wrcontact.kernel.binding.library import default_kernel, span
+import numpy as np
 
-from . import machine
+from tests.helpers.creep_cases import CREEP, Model, cases, read, summary
 
-#: (name in the table, model, with spin as published).
-MODELS = (("coupled strips", "strips", False), ("FASTSIM", "fastsim", False),
-          ("FASTSIM as published", "fastsim", True), ("FaStrip", "fastrip", False),
-          ("FaStrip as published", "fastrip", True), ("Polach", "polach", False))
-CALLS, ROUNDS = 2000, 7
+from . import held_out
 
-
-def error_rows():
-    """A row for each model: its name and a text for each set of cases."""
-    for words, name, published in MODELS:
-        model = creep_cases.Model(name, published)
-        yield [words, *("{:.2f} / {:.1f} / {:.1f}".format(*creep_cases.summary(
-            creep_cases.errors(model, cases)[:, 0])) for cases in creep_cases.SETS)]
-
-
-def patch_cost(name, published, case):
-    """:class:`~benchmarks.machine.Cost` of a patch, cut into strips and solved."""
-    model = creep_cases.Model(name, published)
-    model.forces(case)
-    patch, kernel = case.parts[0], default_kernel()
-    tables = span(forces.model_tables(model.number, patch.youngs_modulus, patch.poisson_ratio))
-    workspace = span(model.workspace)
-    cut, solve = kernel.library.wrcontact_cut_patch, kernel.library.wrcontact_solve_tangential
-
-    def work():
-        for _ in range(CALLS):
-            cut(workspace, 0)
-            solve(tables, workspace)
-
-    return machine.cost(work, CALLS, ROUNDS)
+#: Name of the row: the model, and whether spin is as published.
+MODELS = {
+    "polach": ("polach", False),
+    "fastsim, published_spin=1": ("fastsim", True),
+    "fastsim": ("fastsim", False),
+    "fastrip, published_spin=1": ("fastrip", True),
+    "fastrip": ("fastrip", False),
+    "strips": ("strips", False),
+}
+WITHOUT_MOMENT = ("polach",)
+#: Name of the set in the tables: its cases.
+SETS = {
+    "CONTACT's ellipses": lambda: cases("hertz"),
+    "ellipses, a/b 0.2 … 4": lambda: cases("ellipses"),
+    "longer and shorter ellipses": lambda: cases("long_and_short"),
+    "patches of a wheelset": lambda: cases("patches"),
+    "CONTACT's patches": lambda: cases("contact_patches"),
+    "held out: ellipses": held_out.ellipses,
+    "held out: patches": held_out.real_patches,
+}
+HERTZ, GRIDS, NEW_ELLIPSES, NEW_PATCHES = (list(SETS)[k] for k in (0, 4, 5, 6))
+EQUIVALENT = "complete theory on the equivalent ellipse"
+#: CONTACT's own fast methods, as in the files.
+QUOTED = {"CONTACT's FASTSIM": "fastsim", "CONTACT's FaStrip": "fastrip",
+          "CONTACT's Kik-Piotrowski with FASTSIM": "kpec_fastsim",
+          "CONTACT's ANALYN with FASTSIM": "analyn_fastsim"}
 
 
-def cost_rows():
-    """A row for each model: its name and the units of a patch, the mean over some cases."""
-    some = creep_cases.cases("patches")[::23] + creep_cases.cases("ellipses")[::60]
-    for words, name, published in MODELS:
-        found = [patch_cost(name, published, case).units for case in some]
-        yield [words, f"{sum(found) / len(found):.2f}", f"{max(found):.2f}"]
+def errors():
+    """Rows by model: in each set [mean, 95 %, worst] of the errors of force and of moment [%]; the number of
+    cases of each set."""
+    sets = {name: tuple(chosen()) for name, chosen in SETS.items()}
+    rows = {"cases": {name: len(chosen) for name, chosen in sets.items()}}
+    for name, (model, published) in MODELS.items():
+        solver = Model(model, published)
+        rows[name] = {label: compared([solver.forces(case) for case in chosen], chosen)
+                      for label, chosen in sets.items()}
+    rows[EQUIVALENT] = {NEW_PATCHES: compared(held_out.equivalent_ellipses(), sets[NEW_PATCHES])}
+    return rows | quoted()
 
 
-def table(heads, rows):
-    """Rows of texts as a table in Markdown."""
-    lines = [heads, ["---"] + ["---:"] * (len(heads) - 1), *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+def compared(found, chosen):
+    """Summaries of the errors [%] of forces and moments (n, 3); cases without a known moment do not count."""
+    truth = np.array([[*case.force, case.moment] for case in chosen])
+    bound, size = np.array([(case.bound, case.size) for case in chosen]).T
+    apart = np.array(found) - truth
+    force = 100.0 * np.hypot(apart[:, 0], apart[:, 1]) / bound
+    moment = 100.0 * np.abs(apart[:, 2]) / (bound * size)
+    return {"force": summary(force), "moment": summary(moment[np.isfinite(moment)])}
 
 
-def main():
-    counts = [f"{name} ({len(creep_cases.cases(name))})" for name in creep_cases.SETS]
-    print(table(["% of μN", *counts], error_rows()), end="\n\n")
-    if default_kernel().compiled:
-        print(table([f"units of {machine.UNIT}", "mean", "largest"], cost_rows()))
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def quoted():
+    """Rows of CONTACT's own fast methods, on its own cases; ANALYN's and Kik-Piotrowski's are those of
+    their own approximate patches."""
+    ellipses = [{name: (row[name]["fx"], row[name]["fy"]) for name in ("contact", *QUOTED.values())
+                 if name in row} for row in read("hertz")["cases"]]
+    file = json.loads((CREEP / "contact_fast_methods.json").read_text(encoding="utf-8"))
+    patches = [row for patch in file["patches"] for row in patch["cases"]]
+    found = {}
+    for label, name in QUOTED.items():
+        here = {each: rows for each, rows in ((HERTZ, ellipses), (GRIDS, patches)) if name in rows[0]}
+        found[label] = {each: {"force": summary([100.0 * np.hypot(*np.subtract(row[name], row["contact"]))
+                                                 for row in rows])} for each, rows in here.items()}
+    return found
