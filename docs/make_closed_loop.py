@@ -1,6 +1,7 @@
 """Measure the closed loop anew and write its tables and pictures into docs/closed_loop.md and docs/img.
 
-    python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master] [manchester]
+    python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master]
+                                    [manchester]
 
 Without names it does all of them, which takes a quarter of an hour.  It needs libcosimpy for "master".
 """
@@ -17,7 +18,6 @@ sys.path.append(str(ROOT))
 
 import wrcontact  # noqa: E402
 from examples.hunting_wheelset import coupling, curve_entry, energy, hunting, long_run, structure  # noqa: E402
-from examples.hunting_wheelset.profiles import cone_wheel  # noqa: E402
 from examples.hunting_wheelset.stability import Linear  # noqa: E402
 from tests.friction import test_manchester_creep as benchmark  # noqa: E402
 from tests.helpers import hunting_theory as theory  # noqa: E402
@@ -34,30 +34,20 @@ def table(head, rows):
             *(f"| {' | '.join(row)} |" for row in rows)]
 
 
-class Loops:
-    """Archives of the closed loop with cones and with S1002, in ``folder``."""
-
-    def __init__(self, folder):
-        self.folder = Path(folder)
-        self.cone = cone_wheel(folder)
-        self.cones = coupling.build(self.folder / "cone", wheel=self.cone, cache=self.folder / "cache")
-        self.s1002 = coupling.build(self.folder / "S1002", cache=self.folder / "cache")
-
-
-def klingel(loops):
+def klingel(archives):
     rows = []
-    for name, (wave, amplitude, rolled, plain, run) in hunting.waves(loops.folder, (loops.cones, loops.s1002)):
+    for name, case in hunting.KLINGEL.items():
+        wave, amplitude, rolled, plain, run = hunting.klingel(archives, *case)
         rows.append([name, f"{amplitude * 1e3:.2f}", f"{wave:.3f}", f"{plain:.3f}", f"{rolled:.3f}",
                      f"{100 * (wave / rolled - 1):+.2f}", str(run.worst_status)])
-    return table(["wheels", "amplitude [mm]", "measured [m]", "Klingel [m]", "with roll [m]", "difference [%]",
-                  "status"], rows)
+    return table(["wheels", "amplitude [mm]", "measured [m]", "Klingel [m]", "with roll [m]",
+                  "difference [%]", "status"], rows)
 
 
-def critical(loops):
-    system = wrcontact.ContactSystem(wheel=loops.cone, contact_mode="elastic", **compared.RAIL)
-    model = compared.model.__wrapped__(system)
+def critical(archives):
+    model = compared.theory_of_cones()
     rows = []
-    with Linear(loops.cones, hunting.SUSPENSION, compared.LINEAR, compared.FRICTION) as linear:
+    with Linear(archives, hunting.SUSPENSION, compared.LINEAR, compared.FRICTION) as linear:
         for speed in (20.0, 40.0, 60.0, 80.0):
             found, wanted = linear.root(speed), theory.hunting_root(theory.state_matrix(model, speed))
             rows.append([f"{speed:g}", f"{found.real:+.4f}", f"{wanted.real:+.4f}", f"{found.imag:.3f}",
@@ -68,9 +58,9 @@ def critical(loops):
             f"{100 * abs(speeds[0] / speeds[1] - 1):.2f} % apart."]
 
 
-def hunts(loops):
-    found = hunting.cycles(loops.s1002)
-    with Linear(loops.s1002, hunting.SOFT) as linear:
+def hunts(archives):
+    found = hunting.cycles(archives)
+    with Linear(archives, hunting.SOFT) as linear:
         speed = linear.critical_speed(20.0, 80.0)
         save(hunting.draw(linear, found), IMAGES / "hunting.png")
     rows = [[f"from {start * 1e3:g} mm", *(f"{amplitude * 1e3:.2f}" for _, amplitude in row)]
@@ -80,8 +70,8 @@ def hunts(loops):
             f"Critical speed {speed:.1f} m/s; largest status of all runs {worst}."]
 
 
-def energies(loops):
-    found = [energy.study(loops.cones, derivatives) for derivatives in (False, True)]
+def energies(archives):
+    found = [energy.study(archives, derivatives) for derivatives in (False, True)]
     rows = []
     for place, step in enumerate(energy.STEPS):
         cells = [f"{step * 1e3:g}"]
@@ -90,36 +80,37 @@ def energies(loops):
             cells += [f"{errors[place]:+.2e}", order]
         rows.append(cells)
     return [*table(["step [ms]", "explicit [J]", "order", "with derivatives [J]", "order"], rows), "",
-            f"Of {found[0][1]:.1f} J that the contact exchanges with the wheelset in {energy.DURATION:g} s. "
+            f"Of {found[0][1]:.3g} J that the contact exchanges with the wheelset in {energy.DURATION:g} s. "
             f"Largest status {max(worst for _, _, worst in found)}."]
 
 
-def curve(loops):
-    run = curve_entry.enter(loops.s1002)
+def curve(archives):
+    run = curve_entry.enter(archives)
     save(curve_entry.draw(run), IMAGES / "curve_entry.png")
     still = curve_entry.equilibrium(wrcontact.ContactSystem(**coupling.CONTACT), curve_entry.WHEELSET,
                                     run.motion[-1])
     rows = [[name, f"{1e3 * run.motion[-1][place]:.6f}", f"{1e3 * still[place]:.6f}"] for name, place in
             (("lateral shift [mm]", 0), ("vertical shift [mm]", 1), ("roll [mrad]", 2), ("yaw [mrad]", 3))]
     ratio = abs(run["left.force.y"][-1] / run["left.force.z"][-1])
+    angle = run["left.patch[1].contact_angle"][-1]
     return [*table(["", "end of the run", "equilibrium"], rows), "",
-            f"The outer wheel touches at {run['left.contact_angle'][-1]:.2f} rad and has Y/Q = {ratio:.2f}; "
-            f"largest status {run.worst_status}."]
+            f"The outer wheel carries at {angle:.2f} rad and has Y/Q = {ratio:.2f}; largest status "
+            f"{run.worst_status}."]
 
 
-def long(loops):
-    return [long_run.report(long_run.hunt(loops.s1002), long_run.STEPS) + "."]
+def long(archives):
+    return [long_run.report(long_run.hunt(archives), long_run.STEPS) + "."]
 
 
-def master(loops):
-    theirs, mine, worst, _ = structure.compare(loops.folder, loops.s1002)
+def master(archives):
+    theirs, mine, worst, _ = structure.compare(archives[1].parent, archives)
     rows = [[f"`{name}`", f"{np.abs(column).max():.3g}", f"{np.abs(column - other).max():.1e}"]
             for name, column, other in zip(structure.MOTION, theirs.T, mine.T)]
     return [*table(["output, SI", "largest", "libcosim against fmpy"], rows), "",
             f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}."]
 
 
-def manchester(loops):
+def manchester(archives):
     """Errors of all models beside CONTACT's forces, by CONTACT's CSV."""
     rows = []
     for row in benchmark.rows():
@@ -147,7 +138,7 @@ def write(name, lines):
 
 if __name__ == "__main__":
     with TemporaryDirectory() as folder:
-        loops = Loops(folder)
+        archives = coupling.build(folder)
         for name in sys.argv[1:] or PARTS:
-            write(name, PARTS[name](loops))
+            write(name, PARTS[name](archives))
             print(f"{PAGE.name}: {name}", flush=True)

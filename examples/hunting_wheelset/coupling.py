@@ -6,8 +6,8 @@ A step of the loop with the wheelset's motion m_n at its beginning:
     m_{n+1} = wheelset(m_n, F_n)                with the forces frozen: order 1
     m_{n+1} = wheelset(m_n, F_n, dF/dm_n)       with the contact FMU's directional derivatives: order 2
 
-``parallel`` is what a master does that steps all FMUs at once and hands values on afterwards (libcosim's fixed
-step, Jacobi's order): the wheelset then has the forces of the motion one step before.
+``parallel`` is what a master does that steps all FMUs at once and hands values on afterwards (libcosim's
+fixed step, Jacobi's order): the wheelset then has the forces of the motion one step before.
 """
 
 import time
@@ -27,17 +27,21 @@ from .wheelset import CONTACT_INPUTS, FORCES, MOTION
 #: What goes from the wheelset to the contact, and back: (source, target).
 TO_CONTACT = (*zip(MOTION, CONTACT_INPUTS), ("speed", "speed"), ("track_curvature", "track_curvature"))
 TO_WHEELSET = tuple(zip(FORCES, FORCES))
-#: Parameters of the contact FMU, where a run gives no others.
+#: Parameters of the contact FMU, where a run gives no others; S1002 on UIC60.
 CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "strips"}
+#: The same with cones of 1:20 on rails that are inclined alike.
+CONES = CONTACT | {"wheel_profile": "cone20", "rail_inclination": 0.05}
 
 
-def build(folder, **profiles):
-    """Archives of the contact (native, FMI 2.0) and the wheelset; ``wheel`` and ``rail`` as in
-    ``wrcontact build``, ``cache`` for the compiled sources."""
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    wheelset = FmuBuilder.build_FMU(str(Path(__file__).with_name("wheelset.py")), dest=str(folder))
-    return build_native_fmus(folder, **profiles)[0], Path(wheelset)
+def build_wheelset(folder):
+    """Archive of the wheelset in ``folder``."""
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    return Path(FmuBuilder.build_FMU(str(Path(__file__).with_name("wheelset.py")), dest=str(folder)))
+
+
+def build(folder):
+    """Archives of the contact (native, FMI 2.0) and the wheelset in ``folder``."""
+    return build_native_fmus(folder)[0], build_wheelset(folder)
 
 
 def unpacked(archive):
@@ -174,9 +178,8 @@ class Loop:
             forces, [self.contact.reference[name]], [1.0]) for name in CONTACT_INPUTS]).T
 
     def run(self, duration, step, derivatives=False, parallel=False, every=1):
-        """A :class:`Run` of ``duration`` [s] in steps of ``step`` [s], of which every ``every``-th is recorded.
-
-        It goes on from where the last one ended."""
+        """A :class:`Run` of ``duration`` [s] in steps of ``step`` [s], from where the last one ended; every
+        ``every``-th of them is recorded."""
         count = round(duration / step)
         rows, worst, begin = [], 0, time.perf_counter()
         for k in range(count):

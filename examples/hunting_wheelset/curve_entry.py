@@ -2,8 +2,8 @@
 
     python -m examples.hunting_wheelset.curve_entry [FOLDER]
 
-prints the steady state and draws FOLDER/curve_entry.png.  The cant is that at which nothing pushes outwards, so
-that the wheelset's own centrifugal force is balanced like the vehicle's.
+prints the steady state and draws FOLDER/curve_entry.png.  There is no cant, so that the
+centrifugal force of the load pushes outwards with 13 % of it.
 """
 
 import sys
@@ -18,13 +18,14 @@ from wrcontact.plots.style import INK, MM, QUIET, SIDE_COLOUR, new_figure, save,
 from .coupling import CONTACT, Loop, build
 from .wheelset import CONTACT_INPUTS, Wheelset
 
-SPEED, RADIUS_OF_CURVE = 12.0, 150.0            # [m/s], [m]
+SPEED, RADIUS_OF_CURVE = 14.0, 150.0            # [m/s], [m]
 WHEELSET = {"frame_speed": SPEED, "curve_curvature": 1 / RADIUS_OF_CURVE, "curve_start": 5.0,
             "transition_length": 20.0, "longitudinal_stiffness": 8e6, "lateral_stiffness": 1e5,
-            "lateral_damping": 2e4, "longitudinal_damping": 2e4, "half_wheelbase": 1.25}
-DURATION, STEP = 4.5, 1e-4                      # [s]
-SEEN = ("distance", "track_curvature", *(f"{side}.{name}" for side in ("left", "right")
-                                         for name in ("force.y", "force.z", "contact_angle", "friction_power")))
+            "lateral_damping": 2e4, "longitudinal_damping": 2e4, "half_wheelbase": 1.25, "canted": 0.0}
+DURATION, STEP = 4.0, 1e-4                      # [s]
+SEEN = ("distance", "track_curvature",
+        *(f"{side}.{name}" for side in ("left", "right")
+          for name in ("force.y", "force.z", "patch[1].contact_angle")))
 
 
 def enter(archives, wheelset=WHEELSET, contact=None, duration=DURATION, every=10):
@@ -62,7 +63,7 @@ def equilibrium(system, wheelset, guess):
         model.forces.update({"force.y": state.force.y, "force.z": state.force.z, "moment.x": state.moment.x,
                              "moment.y": state.moment.y, "moment.z": state.moment.z,
                              "driving_torque": state.driving_torque})
-        model.place, model.rate = motion[:4], motion[4:]
+        model.place, model.rate = motion[:4].tolist(), motion[4:].tolist()
         return model.accelerations(wheelset["curve_start"] + 2 * wheelset["transition_length"])
 
     found = root(accelerations, np.asarray(guess)[moving] / scale, method="hybr", options={"xtol": 1e-10})

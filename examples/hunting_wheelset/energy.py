@@ -5,7 +5,8 @@
 The wheelset's energy E = kinetic + springs follows from its state alone.  The contact's power is that of the
 forces it gives, at the velocities it was given; the rest (load, dampers) is the wheelset's output ``supply``.
 Their sum, by the trapezoidal rule over the steps of the loop, is E(end) - E(start) but for what the coupling
-makes up.  Frozen forces make up energy in proportion to the step; with the derivatives it is the step squared.
+makes up.  Frozen forces make up energy in proportion to the step, and with the derivatives to its
+square.
 """
 
 import sys
@@ -13,8 +14,7 @@ import sys
 import numpy as np
 from scipy.integrate import trapezoid
 
-from .coupling import Loop, build
-from .profiles import cone_wheel
+from .coupling import CONES, Loop, build
 
 STEPS = (4e-4, 2e-4, 1e-4, 5e-5)        # [s]
 DURATION = 0.4                          # [s]
@@ -22,7 +22,6 @@ SETTLE = 0.05                           # [s] in which the wheelset finds its ro
 #: A swing of 3 mm on cones of 1:20, at 20 m/s on soft springs.
 WHEELSET = {"frame_speed": 20.0, "start_lateral_shift": 3e-3, "longitudinal_stiffness": 2e5,
             "lateral_stiffness": 1e5, "lateral_damping": 1e3}
-RAILS = {"rail_inclination": 0.05}
 
 
 def contact_power(run):
@@ -41,7 +40,7 @@ def balance(run):
     return gained - trapezoid(power, dx=step), trapezoid(np.abs(contact_power(run)), dx=step)
 
 
-def study(archives, derivatives, steps=STEPS, wheelset=WHEELSET, contact=RAILS, duration=DURATION):
+def study(archives, derivatives, steps=STEPS, wheelset=WHEELSET, contact=CONES, duration=DURATION):
     """Energy made up [J] for each of ``steps`` [s], the exchanged energy [J], and the largest status."""
     errors, worst = [], 0
     for step in steps:
@@ -61,7 +60,7 @@ def orders(errors):
 
 if __name__ == "__main__":
     folder = (sys.argv[1:] or ["out"])[0]
-    archives = build(folder, wheel=cone_wheel(folder))
+    archives = build(folder)
     for words, derivatives in (("explicit", False), ("with derivatives", True)):
         errors, exchanged, worst = study(archives, derivatives)
         print(f"{words}: {exchanged:.1f} J exchanged in {DURATION} s, largest status {worst}")

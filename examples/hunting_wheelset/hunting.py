@@ -15,14 +15,13 @@ import wrcontact
 from wrcontact.conditioning import equivalent_conicity
 from wrcontact.plots.style import CONTACT_COLOUR, MM, QUIET, WHEEL_COLOUR, new_figure, save, styled
 
-from .coupling import CONTACT, Loop, build
-from .profiles import cone_wheel
+from .coupling import CONES, CONTACT, Loop, build
 from .stability import Linear
 
 RADIUS, LOAD = 0.46, 157e3      # [m], [N]
 STEP = 1e-4                     # [s]
-#: Cases of Klingel's wave: rail inclination, speed [m/s], lateral shift at the start [m].
-KLINGEL = {"cone 1:20": (0.05, 10.0, 0.5e-3), "S1002": (0.025, 10.0, 3e-3)}
+#: Cases of Klingel's wave: contact, and lateral shift at the start [m]; and their speed [m/s].
+KLINGEL, SLOW = {"cone 1:20": (CONES, 0.5e-3), "S1002": (CONTACT, 3e-3)}, 10.0
 #: Soft primary suspension, one axle box, for the critical speed of S1002: [N/m], [N.s/m].
 SOFT = {"longitudinal_stiffness": 2e5, "lateral_stiffness": 1e5, "vertical_damping": 3e4}
 #: Stiffer, and without dampers, for that of the cone.
@@ -38,8 +37,8 @@ PATIENCE = 6.0
 
 @dataclass(frozen=True)
 class Rolling:
-    """Rolling radii of a pair of profiles under load: ``shift`` (n,), ``difference`` of the radii, right minus
-    left (n,), ``roll`` (n,) and the half distance of the contacts ``arm``, in m and rad."""
+    """Rolling radii of a pair of profiles under load: ``shift`` (n,), ``difference`` of the radii, right
+    minus left (n,), ``roll`` (n,) and the half distance of the contacts ``arm``, in m and rad."""
 
     shift: np.ndarray
     difference: np.ndarray
@@ -51,8 +50,8 @@ class Rolling:
         return float(np.ravel(equivalent_conicity(self.shift, self.difference, amplitude))[0])
 
     def wavelength(self, amplitude, rolls=True):
-        """Klingel's 2 pi sqrt(b r0 / tan(gamma)) [m]; with ``rolls``, of a wheelset that also rolls about its x
-        axis (docs/conventions.md): 1 - r0 dq/dy more under the root."""
+        """Klingel's 2 pi sqrt(b r0 / tan(gamma)) [m]; with ``rolls``, of a wheelset that also rolls about its
+        x axis (docs/conventions.md): 1 - r0 dq/dy more under the root."""
         slope = np.interp(amplitude, self.shift, self.roll) / amplitude if rolls else 0.0
         return 2 * np.pi * np.sqrt(self.arm * RADIUS * (1 - RADIUS * slope) / self.conicity(amplitude))
 
@@ -67,10 +66,12 @@ def rolling(system, reach, count=121):
         loads = [patch.normal_force for patch in wheel.patches]
         return np.average([getattr(patch, name) for patch in wheel.patches], weights=loads)
 
-    difference = [mean(state.right, "rolling_radius") - mean(state.left, "rolling_radius") for state in states]
-    arms = [(mean(state.right, "y_track") - mean(state.left, "y_track")) / 2 for state in states]
-    return Rolling(shifts, np.array(difference), np.array([state.roll for state in states]),
-                   float(np.mean(arms)))
+    def apart(name):
+        """Right minus left (n,)."""
+        return np.array([mean(state.right, name) - mean(state.left, name) for state in states])
+
+    return Rolling(shifts, apart("rolling_radius"), np.array([state.roll for state in states]),
+                   float(apart("y_track").mean()) / 2)
 
 
 def crossings(x, y):
@@ -80,8 +81,8 @@ def crossings(x, y):
 
 
 def measured_wave(run, skip=1):
-    """Wavelength [m] and amplitude [m] of a run from zero to zero, without the first ``skip`` half waves, while
-    the wheelset finds its rotation and its roll."""
+    """Wavelength [m] and amplitude [m] of a run from zero to zero, without the first ``skip`` half waves,
+    while the wheelset finds its rotation and its roll."""
     way = run["distance"]
     zeros = crossings(way, run["lateral_shift"])[skip:]
     inside = (way >= zeros[0]) & (way <= zeros[-1])
@@ -89,14 +90,19 @@ def measured_wave(run, skip=1):
     return 2 * np.mean(np.diff(zeros)), amplitude
 
 
-def klingel(archives, system, speed, start, waves=2.5, **coupling):
-    """Measured wavelength, its amplitude, and Klingel's wavelengths with and without roll [m]; and the run."""
-    curve = rolling(system, 1.6 * start)
-    duration = waves * curve.wavelength(start) / speed
-    rails = {"rail_inclination": system.parameters["rail_inclination"]}
-    with Loop(archives, {"frame_speed": speed, "start_lateral_shift": start}, CONTACT | rails,
-              seen=("distance",)) as loop:
-        run = loop.run(duration, STEP, **coupling)
+def elastic(contact):
+    """The :class:`wrcontact.ContactSystem` of a contact FMU with these parameters, in elastic contact."""
+    return wrcontact.ContactSystem(wheel=contact.get("wheel_profile", "S1002"), contact_mode="elastic",
+                                   rail_inclination=contact.get("rail_inclination", 0.025))
+
+
+def klingel(archives, contact, start, waves=2.5):
+    """Measured wavelength, its amplitude, Klingel's wavelength with and without roll [m], and the run, of a
+    free wheelset from ``start`` [m]."""
+    curve = rolling(elastic(contact), 1.6 * start)
+    given = {"frame_speed": SLOW, "start_lateral_shift": start}
+    with Loop(archives, given, contact, seen=("distance",)) as loop:
+        run = loop.run(waves * curve.wavelength(start) / SLOW, STEP)
     wave, amplitude = measured_wave(run)
     return wave, amplitude, curve.wavelength(amplitude), curve.wavelength(amplitude, rolls=False), run
 
@@ -146,7 +152,7 @@ def draw(linear, found, speeds=SPEEDS):
         reached.plot(speeds, [amplitude / MM for _, amplitude in found[start]], marker, color=CONTACT_COLOUR,
                      fillstyle="none", label=f"{words}, {start / MM:g} mm")
     reached.set(title=f"Amplitude after {PATIENCE:g} s", xlabel="speed [m/s]", ylabel="lateral shift [mm]")
-    reached.legend(loc="center right", fontsize=8)
+    reached.legend(loc="center right", fontsize=8, frameon=True, framealpha=1.0, edgecolor="none")
     for panel in (grows, reached):
         panel.axvline(critical, color=QUIET, linestyle="--", linewidth=0.8)
     grows.annotate(f"{critical:.1f} m/s", (critical, grows.get_ylim()[1]), xytext=(3, -10),
@@ -154,7 +160,8 @@ def draw(linear, found, speeds=SPEEDS):
     place = len(speeds) - 2
     run = found[SMALL][place][0]
     swing.plot(run.time, run["lateral_shift"] / MM, color=WHEEL_COLOUR, linewidth=0.8)
-    swing.set(title=f"{speeds[place]:g} m/s, from a small swing", xlabel="time [s]", ylabel="lateral shift [mm]")
+    swing.set(title=f"{speeds[place]:g} m/s, from a small swing", xlabel="time [s]",
+              ylabel="lateral shift [mm]")
     last = slice(-len(run.time) // 5, None)
     plane.plot(run["lateral_shift"] / MM, 1e3 * run["yaw"], color=QUIET, linewidth=0.4)
     plane.plot(run["lateral_shift"][last] / MM, 1e3 * run["yaw"][last], color=CONTACT_COLOUR)
@@ -162,24 +169,17 @@ def draw(linear, found, speeds=SPEEDS):
     return figure
 
 
-def waves(folder, archives):
-    """For each case of :data:`KLINGEL`: its name and what :func:`klingel` returns. ``archives`` are of the
-    cones and of S1002."""
-    systems = (wrcontact.ContactSystem(wheel=cone_wheel(folder), rail_inclination=0.05, contact_mode="elastic"),
-               wrcontact.ContactSystem(contact_mode="elastic"))
-    for (name, (_, speed, start)), system, pair in zip(KLINGEL.items(), systems, archives):
-        yield name, klingel(pair, system, speed, start)
-
-
 if __name__ == "__main__":
     folder = Path((sys.argv[1:] or ["out"])[0])
-    both = build(folder / "cone", wheel=cone_wheel(folder)), build(folder / "S1002")
-    for name, (wave, amplitude, rolled, plain, run) in waves(folder, both):
-        print(f"{name}: amplitude {amplitude / MM:.3f} mm, wavelength {wave:.3f} m, Klingel {plain:.3f} m, with "
-              f"roll {rolled:.3f} m, difference {100 * (wave / rolled - 1):.2f} %, status {run.worst_status}")
-    with Linear(both[1], SOFT) as linear:
+    archives = build(folder)
+    for name, case in KLINGEL.items():
+        wave, amplitude, rolled, plain, run = klingel(archives, *case)
+        print(f"{name}: amplitude {amplitude / MM:.3f} mm, wavelength {wave:.3f} m, Klingel {plain:.3f} m, "
+              f"with roll {rolled:.3f} m, difference {100 * (wave / rolled - 1):.2f} %, "
+              f"status {run.worst_status}")
+    with Linear(archives, SOFT) as linear:
         print(f"critical speed {linear.critical_speed(20.0, 80.0):.2f} m/s")
-        found = cycles(both[1])
+        found = cycles(archives)
         for start, row in found.items():
             print(f"from {start / MM:g} mm: " + ", ".join(
                 f"{speed:g} m/s {amplitude / MM:.2f} mm" for speed, (_, amplitude) in zip(SPEEDS, row)))

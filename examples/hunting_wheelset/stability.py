@@ -31,8 +31,9 @@ class Linear:
         self.loop.close()
 
     def steady(self, speed):
-        """Forces (6,) and their derivatives (6, 9) in the steady motion at ``speed`` [m/s], by Newton's method
-        for the height, at which the load is carried, and the rotation, at which nothing drives the axle."""
+        """Forces (6,) and their derivatives (6, 9) in the steady motion at ``speed`` [m/s], by Newton's
+        method for the height, at which the load is carried, and the rotation, at which nothing drives the
+        axle."""
         wheelset = Wheelset(instance_name="linear")
         wheelset.parameters.update(self.parameters, frame_speed=speed)
         wheelset.prepare()
@@ -58,5 +59,6 @@ class Linear:
         return max(found, key=lambda root: root.real) if found else complex(np.nan, np.nan)
 
     def critical_speed(self, low, high):
-        """Speed [m/s] between ``low`` and ``high`` at which hunting begins to grow; ValueError without one."""
+        """Speed [m/s] between ``low`` and ``high`` at which hunting begins to grow; ValueError without
+        one."""
         return brentq(lambda speed: self.root(speed).real, low, high, xtol=1e-6)

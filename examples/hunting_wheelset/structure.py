@@ -69,7 +69,8 @@ def write_ssp(path, archives, contact, wheelset):
     system = _child(root, "ssd:System", name="hunting_wheelset",
                     description="A wheelset on its primary suspension and its contacts with the rails")
     elements, connections = _child(system, "ssd:Elements"), _child(system, "ssd:Connections")
-    ends = ((CONTACT_NAME, TO_CONTACT, TO_WHEELSET, contact), (WHEELSET_NAME, TO_WHEELSET, TO_CONTACT, wheelset))
+    ends = ((CONTACT_NAME, TO_CONTACT, TO_WHEELSET, contact),
+            (WHEELSET_NAME, TO_WHEELSET, TO_CONTACT, wheelset))
     for archive, (name, into, out_of, values) in zip(archives, ends):
         ports = [(target, "input") for _, target in into] + [(source, "output") for source, _ in out_of]
         _component(elements, name, Path(archive), ports, values)
@@ -118,14 +119,16 @@ def settings(archives, wheelset, contact=None, friction=0.3):
     """Parameters and start values (contact, wheelset) that a :class:`Loop` gives both FMUs."""
     with Loop(archives, wheelset, contact, friction) as loop:
         stand = dict(zip(("start_vertical_shift", "start_roll"), loop.stand))
+        # until the first values are handed on
+        begin = dict(zip([target for _, target in TO_CONTACT], loop.motion.read()))
     load = wheelset.get("load", 157e3)
     inputs = {"normal_force": load / 2, "left.friction": friction, "right.friction": friction}
-    return CONTACT | (contact or {}) | inputs, stand | wheelset
+    return CONTACT | (contact or {}) | inputs | begin, stand | wheelset
 
 
 def compare(folder, archives, count=10000, step=STEP):
-    """Motion (count, 9) by libcosim and by fmpy in the same order, the largest status of both, and the archive
-    in ``folder``."""
+    """Motion (count, 9) by libcosim and by fmpy in the same order, the largest status of both, and the
+    archive in ``folder``."""
     folder = Path(folder)
     ssp = write_ssp(folder / "hunting_wheelset.ssp", archives, *settings(archives, EXAMPLE))
     with Loop(archives, EXAMPLE) as loop:

@@ -4,7 +4,7 @@ PythonFMU executes this file for every instance, so that it needs nothing but nu
 frame runs along the middle of the track with a constant speed.  The wheelset moves across the track and down,
 rolls and yaws, and turns about its axle; it has the frames and signs of docs/conventions.md:
 
-    m (y'' + (1 - c) V^2 k)    = F_y - K_y y - D_y y'
+    m y'' + (1 - c) (W/g) V^2 k    = F_y - K_y y - D_y y'
     m z''                      = F_z + W - K_z (z - z_0) - D_z z'
     I_x q'' + I_y w_0 (p' + V k) = M_x cos p + M_y sin p - K_x q - D_x q'
     I_z (p'' + V k')  - I_y w_0 q' = M_z - K_p (p + l k) - D_p (p' + l k')
@@ -12,8 +12,8 @@ rolls and yaws, and turns about its axle; it has the frames and signs of docs/co
 
 y, z, q, p are lateral shift, vertical shift, roll and yaw, w the rotation about the axle, w_0 = V / r_0, k
 the track's curvature, W the load of the frame and the weight.  F, M and T are the forces, moments about the
-centre and the driving torque of the contact, c is the share of the centrifugal force that the cant balances,
-and l how far the wheelset is ahead of the middle of the frame.
+centre and the driving torque of the contact, c is the share of the load's centrifugal force that the cant
+balances, and l how far the wheelset is ahead of the middle of the frame.
 
 A step is one of two:
 
@@ -40,6 +40,7 @@ OTHER_OUTPUTS = {"speed": "m/s", "track_curvature": "1/m", "distance": "m", "ene
 UNITS = dict(zip(MOTION, ("m", "m", "rad", "rad", "m/s", "m/s", "rad/s", "rad/s", "rad/s"))) | OTHER_OUTPUTS
 FORCE_UNITS = dict(zip(FORCES, ("N", "N", "N.m", "N.m", "N.m", "N.m")))
 
+GRAVITY = 9.81      # [m/s2]
 #: Start value, unit and meaning of each parameter.
 PARAMETERS = {
     "mass": (1500.0, "kg", "mass"),
@@ -62,12 +63,13 @@ PARAMETERS = {
     "start_roll": (0.0, "rad", "roll at the start"),
     "start_yaw": (0.0, "rad", "yaw at the start"),
     "start_lateral_velocity": (0.0, "m/s", "lateral velocity at the start"),
-    "start_wheel_rate": (0.0, "rad/s", "rotation about the axle at the start; 0: frame_speed / nominal_radius"),
+    "start_wheel_rate": (0.0, "rad/s", "rotation about the axle at the start; 0 means frame_speed / "
+                         "nominal_radius"),
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
-    "canted": (1.0, None, "share of the centrifugal force that the cant balances, of the wheelset and the frame"),
-    "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a chord of "
-                       "the curve"),
+    "canted": (1.0, None, "share of the load's centrifugal force that the cant balances"),
+    "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a "
+                       "chord of the curve"),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
 }
 
@@ -93,8 +95,8 @@ class Wheelset(Fmi2Slave):
 
     def _register(self):
         for name, (start, unit, meaning) in PARAMETERS.items():
-            self._add(name, Fmi2Causality.parameter, unit, meaning, start, *self._entry(self.parameters, name),
-                      variability=Fmi2Variability.fixed)
+            self._add(name, Fmi2Causality.parameter, unit, meaning, start,
+                      *self._entry(self.parameters, name), variability=Fmi2Variability.fixed)
         for name in FORCES:
             self._add(name, Fmi2Causality.input, FORCE_UNITS[name], "of the contact on the wheelset", 0.0,
                       *self._entry(self.forces, name))
@@ -103,8 +105,10 @@ class Wheelset(Fmi2Slave):
                 self._add(f"derivative[{i + 1},{j + 1}]", Fmi2Causality.input, None,
                           f"of {FORCES[i]} by {MOTION[j]}", 0.0, *self._derivative(i, j))
         for name, unit in UNITS.items():
-            self._add(name, Fmi2Causality.output, unit, name.replace("_", " "), None,
-                      lambda name=name: self.outputs()[name], None)
+            self._add(name, Fmi2Causality.output, unit, name.replace("_", " "), None, self._output(name),
+                      None)
+        self.getters = [variable.getter for variable in self.vars.values()]
+        self.setters = [variable.setter for variable in self.vars.values()]
 
     def _add(self, name, causality, unit, meaning, start, getter, setter, **more):
         """Many arguments because this is a row of the model description."""
@@ -126,11 +130,26 @@ class Wheelset(Fmi2Slave):
 
         return (lambda: self.derivatives[i, j]), give
 
+    def _output(self, name):
+        if name in PLACES:
+            place = PLACES.index(name)
+            return lambda: self.place[place]
+        if name in RATES:
+            place = RATES.index(name)
+            return lambda: self.rate[place]
+        return {"speed": lambda: self.parameters["frame_speed"],
+                "track_curvature": lambda: self.curvature(self.distance)[0],
+                "distance": lambda: self.distance, "energy": self.energy, "supply": self.supply}[name]
+
     def get_real(self, vrs):
-        """As the base class does it, but the outputs are computed once."""
-        outputs = self.outputs()
-        return [float(outputs[name]) if (name := self.vars[vr].name) in outputs else float(self.vars[vr].getter())
-                for vr in vrs]
+        """As the base class does it, in a fifth of its time."""
+        getters = self.getters
+        return [float(getters[vr]()) for vr in vrs]
+
+    def set_real(self, vrs, values):
+        setters = self.setters
+        for vr, value in zip(vrs, values):
+            setters[vr](value)
 
     def to_xml(self, model_options=None):
         """The model description, with what PythonFMU leaves out: units, and the unknowns at the start."""
@@ -151,23 +170,22 @@ class Wheelset(Fmi2Slave):
     # --- the model ------------------------------------------------------------------------------------------
 
     def prepare(self):
-        """Matrices of the wheelset and its suspension, and the state at the start."""
+        """Inertia and suspension, and the state at the start; all of it in lists, whose few numbers Python
+        handles faster than numpy does."""
         p = self.parameters
         boxes, arm = 2.0, p["box_distance"]
 
         def springs(kind):
             across, down = boxes * p[f"lateral_{kind}"], boxes * p[f"vertical_{kind}"]
-            return np.array([across, down, down * arm**2, boxes * p[f"longitudinal_{kind}"] * arm**2])
+            return [across, down, down * arm**2, boxes * p[f"longitudinal_{kind}"] * arm**2]
 
         self.stiffness, self.damping = springs("stiffness"), springs("damping")
-        self.inertia = np.array([p["mass"], p["mass"], p["inertia_roll"], p["inertia_yaw"],
-                                 p["inertia_pitch"]])
-        self.thrown = (1.0 - p["canted"]) * p["mass"] * p["frame_speed"] ** 2
+        self.inertia = [p["mass"], p["mass"], p["inertia_roll"], p["inertia_yaw"], p["inertia_pitch"]]
+        self.thrown = (1.0 - p["canted"]) * p["load"] / GRAVITY * p["frame_speed"] ** 2
         self.rolling = p["start_wheel_rate"] or p["frame_speed"] / p["nominal_radius"]
         self.gyroscopic = p["inertia_pitch"] * p["frame_speed"] / p["nominal_radius"]
-        self.place = np.array([p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"],
-                               p["start_yaw"]])
-        self.rate = np.array([p["start_lateral_velocity"], 0.0, 0.0, 0.0, self.rolling])
+        self.place = [p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"], p["start_yaw"]]
+        self.rate = [p["start_lateral_velocity"], 0.0, 0.0, 0.0, self.rolling]
         self.distance = 0.0
 
     def exit_initialization_mode(self):
@@ -183,30 +201,29 @@ class Wheelset(Fmi2Slave):
         grows = p["curve_curvature"] / p["transition_length"] if 0.0 <= share < 1.0 else 0.0
         return p["curve_curvature"] * min(max(share, 0.0), 1.0), grows
 
-    def frame(self, distance):
-        """Where the frame would have the wheelset (4,), and how fast this changes (4,)."""
-        p = self.parameters
-        bend, grows = self.curvature(distance)
-        place, rate = np.zeros(4), np.zeros(4)
-        place[1], place[3] = p["start_vertical_shift"], -p["half_wheelbase"] * bend
-        rate[3] = -p["half_wheelbase"] * grows * p["frame_speed"]
-        return place, rate
+    def suspension(self, bend, grows):
+        """How far the springs are stretched (4,), and how fast the frame's end of them moves (4,), where the
+        curvature is ``bend`` and grows by ``grows``."""
+        p, (y, z, roll, yaw) = self.parameters, self.place
+        ahead = p["half_wheelbase"]
+        return ([y, z - p["start_vertical_shift"], roll, yaw + ahead * bend],
+                [0.0, 0.0, 0.0, -ahead * grows * p["frame_speed"]])
 
     def accelerations(self, distance):
         """Accelerations (5,) in the present state, with the contact's forces as they are."""
-        p, f = self.parameters, self.forces
+        f, rate, v = self.forces, self.rate, self.parameters["frame_speed"]
         turn = self.place[3]
         bend, grows = self.curvature(distance)
-        v = p["frame_speed"]
-        force = np.array([f["force.y"], f["force.z"] + p["load"],
-                          f["moment.x"] * math.cos(turn) + f["moment.y"] * math.sin(turn),
-                          f["moment.z"], f["driving_torque"]])
-        rest, moving = self.frame(distance)
-        force[:4] -= self.stiffness * (self.place - rest) + self.damping * (self.rate[:4] - moving)
-        force[0] -= self.thrown * bend
-        force[2] -= self.gyroscopic * (self.rate[3] + v * bend)
-        force[3] += self.gyroscopic * self.rate[2] - p["inertia_yaw"] * v * v * grows
-        return force / self.inertia
+        stretched, moving = self.suspension(bend, grows)
+        force = [f["force.y"] - self.thrown * bend,
+                 f["force.z"] + self.parameters["load"],
+                 f["moment.x"] * math.cos(turn) + f["moment.y"] * math.sin(turn)
+                 - self.gyroscopic * (rate[3] + v * bend),
+                 f["moment.z"] + self.gyroscopic * rate[2] - self.inertia[3] * v * v * grows]
+        springs = [push - stiffness * way - damping * (speed - end)
+                   for push, stiffness, way, damping, speed, end
+                   in zip(force, self.stiffness, stretched, self.damping, rate, moving)]
+        return [push / inertia for push, inertia in zip([*springs, f["driving_torque"]], self.inertia)]
 
     def jacobian(self):
         """Derivatives (5, 9) of the accelerations by the motion, with those of the contact's forces."""
@@ -219,7 +236,7 @@ class Wheelset(Fmi2Slave):
         matrix[k, 4 + k] -= self.damping
         matrix[2, 7] -= self.gyroscopic
         matrix[3, 6] += self.gyroscopic
-        return matrix / self.inertia[:, None]
+        return matrix / np.array(self.inertia)[:, None]
 
     def do_step(self, current_time, step_size):
         way = self.parameters["frame_speed"] * step_size
@@ -228,26 +245,30 @@ class Wheelset(Fmi2Slave):
             system = np.eye(9)
             system[:4, 4:8] = -step_size / 2 * np.eye(4)
             system[4:] -= step_size / 2 * self.jacobian()
-            change = np.linalg.solve(system, step_size * np.concatenate([self.rate[:4], acceleration]))
-            self.place = self.place + change[:4]
-            self.rate = self.rate + change[4:]
+            change = np.linalg.solve(system, step_size * np.array([*self.rate[:4], *acceleration])).tolist()
+            self.place = [value + more for value, more in zip(self.place, change)]
+            self.rate = [value + more for value, more in zip(self.rate, change[4:])]
         else:
-            self.rate = self.rate + step_size * self.accelerations(self.distance)
-            self.place = self.place + step_size * self.rate[:4]
+            self.rate = [value + step_size * more
+                         for value, more in zip(self.rate, self.accelerations(self.distance))]
+            self.place = [value + step_size * more for value, more in zip(self.place, self.rate)]
         self.distance += way
-        return bool(np.isfinite(self.rate).all())
+        return all(map(math.isfinite, self.rate))
 
-    def outputs(self):
-        """Every output by its name."""
-        values = dict(zip(MOTION, (*self.place.tolist(), *self.rate.tolist())))
-        p, v = self.parameters, self.parameters["frame_speed"]
+    def energy(self):
+        """Kinetic energy and that of the springs [J]."""
+        stretched, _ = self.suspension(*self.curvature(self.distance))
+        return 0.5 * (sum(inertia * value**2 for inertia, value in zip(self.inertia, self.rate))
+                      + sum(stiffness * way**2 for stiffness, way in zip(self.stiffness, stretched)))
+
+    def supply(self):
+        """Power of all that is neither the contact's nor stored: load, dampers, and the frame that turns in a
+        curve [W]."""
+        rate, v = self.rate, self.parameters["frame_speed"]
         bend, grows = self.curvature(self.distance)
-        rest, moving = self.frame(self.distance)
-        stretched, rate = self.place - rest, self.rate
-        energy = 0.5 * float(self.inertia @ rate**2 + self.stiffness @ stretched**2)
-        # what is no contact's and no energy's: load, dampers, and the frame that turns in a curve
-        supply = (p["load"] * rate[1] - float(self.damping @ ((rate[:4] - moving) * rate[:4]))
-                  - float(self.stiffness @ (stretched * moving)) - self.thrown * bend * rate[0]
-                  - self.gyroscopic * v * bend * rate[2] - p["inertia_yaw"] * v * v * grows * rate[3])
-        return values | {"speed": v, "track_curvature": bend, "distance": self.distance, "energy": energy,
-                         "supply": float(supply)}
+        stretched, moving = self.suspension(bend, grows)
+        frame = sum(damping * (speed - end) * speed + stiffness * way * end
+                    for damping, speed, end, stiffness, way
+                    in zip(self.damping, rate, moving, self.stiffness, stretched))
+        return (self.parameters["load"] * rate[1] - frame - self.thrown * bend * rate[0]
+                - self.gyroscopic * v * bend * rate[2] - self.inertia[3] * v * v * grows * rate[3])

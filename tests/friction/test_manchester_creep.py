@@ -1,8 +1,9 @@
 """Creep forces of a wheelset against CONTACT's reference output of the Manchester contact benchmark, A-2.2.
 
-The benchmark's wheelset shifts by 0 ... 10 mm and yaws by 2.4 mrad for each; 10 kN on each rail, friction 0.3,
-2 m/s, S1002 on UIC60.  Its forces are on the rail, so that Fx is the opposite of ours; Fs is that of the wheel
-towards y_c, to the left on both sides (tests/reference/README.md).  Creepages: tests/motion/test_creepages.py.
+The benchmark's wheelset shifts by 0 ... 10 mm and yaws by 2.4 mrad for each; 10 kN on each rail, friction
+0.3, 2 m/s, S1002 on UIC60.  Its forces are on the rail, so that Fx is the opposite of ours; Fs is that on the
+wheel towards y_c, to the left on both sides (tests/reference/README.md).  Creepages are compared in
+tests/motion/test_creepages.py.
 """
 
 import csv
@@ -14,9 +15,8 @@ from tests.helpers.cases import system
 from tests.helpers.paths import REFERENCE_DATA
 
 SHEAR, POISSON, FRICTION = 82e9, 0.28, 0.3
-#: Where the two normal solutions differ: centred, a patch that is 27 mm of conformal contact, wide of ours by
-#: 1.4 mm, and on the right at 5 mm, where CONTACT has one patch for our two. Bounds [mu N] are 1.3 times what
-#: is measured.
+#: Where the normal solutions differ, and creepages with them: at 0 mm CONTACT's patch covers two of ours, or
+#: lies beside it, at 5 mm on the right it has one for our two. Bounds [mu N] are 1.3 times what is measured.
 APART = {("left", 0.0): 0.07, ("right", 0.0): 0.07, ("right", 5.0): 0.04}
 
 
@@ -52,7 +52,8 @@ def test_forces_of_strips(row):
 
 
 def test_mean_error_of_each_model():
-    """What each model is worth where the normal solutions agree [mu N]; bounds are 1.3 times what is measured."""
+    """What each model is worth where the normal solutions agree [mu N]; bounds are 1.3 times what is
+    measured."""
     measured = {"strips": 0.0012, "fastsim": 0.032, "fastrip": 0.029, "polach": 0.053}
     inside = [row for row in rows() if (row["side"], row["lateral_shift_mm"]) not in APART]
     mean = {model: np.mean([error(row, wheel(row, model)) for row in inside]) for model in measured}
@@ -63,8 +64,8 @@ def test_mean_error_of_each_model():
 
 @pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
 def test_power_and_moment(row):
-    """CONTACT's power is that of its tractions in its cells, which is less than that of its force by 0.5 W; its
-    moments are about its own place of contact, 0.3 mm from the centre of load at most."""
+    """CONTACT's power is that of its tractions in its cells, which is less than that of its force by 0.5 W;
+    its moments are about its own place of contact, 0.3 mm from the centre of load at most."""
     found = wheel(row, "strips")
     assert found.friction_power == pytest.approx(-row["friction_power"], rel=3e-3, abs=0.7)
     moment = sum(patch.tangential.moment for patch in found.patches)

@@ -1,9 +1,10 @@
 """Linear theory of a wheelset with conical wheels on round rails, without anything of the package's.
 
-Wheels are cones, exact in space; rails are cylinders along x.  The tangent plane of a cone along the generator
-whose normal has no part along x touches the cylinder along a line, so that the contact is there in closed
-form.  Normal forces are Hertz's, creep forces Kalker's linear theory.  Frames and signs are those of
-docs/conventions.md.  Equations of motion are those of the wheelset in examples/hunting_wheelset, written anew.
+Wheels are cones, exact in space; rails are cylinders along x.  The tangent plane of a cone along the
+generator whose normal has no part along x touches the cylinder along a line, so that the contact is there in
+closed form.  Normal forces are Hertz's, creep forces Kalker's linear theory.  Frames and signs are those of
+docs/conventions.md.  Equations of motion are those of the wheelset in examples/hunting_wheelset, written
+anew.
 """
 
 from dataclasses import dataclass
@@ -23,8 +24,8 @@ STEPS = np.array([1e-8, 1e-8, 1e-8, 1e-8, 1e-6, 1e-6, 1e-6, 1e-6, 1e-6])
 class Wheelset:
     """Wheelset, springs between it and the frame, and the rails; SI.
 
-    ``springs`` and ``dampers`` act across, down, in roll and in yaw, with the frame at the height 0; ``coefficients`` are Kalker's C11, C22,
-    C23 and C33 of the patch; ``rail_y`` is where the rails' axes are.
+    ``springs`` and ``dampers`` act across, down, in roll and in yaw, with the frame at the height 0;
+    ``coefficients`` are Kalker's C11, C22, C23 and C33 of the patch; ``rail_y`` is where the rails' axes are.
     """
 
     slope: float
@@ -105,8 +106,8 @@ def accelerations(model, state, speed):
 
 
 def steady(model, speed):
-    """The steady motion in the middle (9,): the height at which the load is carried, and the rotation at which
-    nothing turns the axle."""
+    """The steady motion in the middle (9,): the height at which the load is carried, and the rotation at
+    which nothing turns the axle."""
     high = (patch(model)[0] - touch(model, 1, np.zeros(4))[2]) / np.cos(np.arctan(model.slope))
     rolling = speed / model.radius
 

@@ -3,30 +3,22 @@
 import numpy as np
 import pytest
 
-import wrcontact
-from examples.hunting_wheelset.coupling import Loop
-from examples.hunting_wheelset.hunting import KLINGEL, SOFT, SUSPENSION, cycle, growth, klingel
+from examples.hunting_wheelset.coupling import CONES, Loop
+from examples.hunting_wheelset.hunting import KLINGEL, SOFT, SUSPENSION, cycle, elastic, growth, klingel
 from examples.hunting_wheelset.stability import Linear
 from tests.helpers import hunting_theory as theory
 
-RAIL = {"rail_inclination": 0.05}
 #: Kalker's table with Hertz's patch; friction far from its limit, so that creep forces are linear.
-LINEAR = RAIL | {"normal_model": "hertz", "contact_damping": 0.0}
+LINEAR = CONES | {"normal_model": "hertz", "contact_damping": 0.0}
 FRICTION = 2.0
 #: Kalker (1990), table E3, at nu 0.28 and a/b 1.330: C11, C22, C23, by parabolas in nu and linear in b/a;
 #: C33 by CONTACT for a/b = 1, which hardly counts.
 COEFFICIENTS = (4.555, 4.145, 1.870, 1.14)
 
 
-@pytest.fixture(scope="module")
-def cone_system(cone_file):
-    return wrcontact.ContactSystem(wheel=cone_file, contact_mode="elastic", **RAIL)
-
-
-@pytest.fixture(scope="module")
-def model(cone_system):
+def theory_of_cones():
     """The same wheelset in the theory, with the rail where the package's gauge puts it."""
-    touched = cone_system.evaluate(0.0).right.contact.y_track
+    touched = elastic(CONES).evaluate(0.0).right.contact.y_track
     across = 2 * SUSPENSION["lateral_stiffness"]
     return theory.Wheelset(slope=0.05, rail_y=touched + 0.3 * np.sin(np.arctan(0.05)),
                            coefficients=COEFFICIENTS,
@@ -34,8 +26,13 @@ def model(cone_system):
 
 
 @pytest.fixture(scope="module")
-def linear(cones):
-    with Linear(cones, SUSPENSION, LINEAR, FRICTION) as found:
+def model():
+    return theory_of_cones()
+
+
+@pytest.fixture(scope="module")
+def linear(archives):
+    with Linear(archives, SUSPENSION, LINEAR, FRICTION) as found:
         yield found
 
 
@@ -44,11 +41,11 @@ def test_axis_ratio_of_the_coefficients(model):
     assert a / b == pytest.approx(1.330, abs=1e-3)
 
 
-def test_klingel_on_cones(cones, cone_system):
+def test_klingel_on_cones(archives):
     """Half a millimetre at 10 m/s: Klingel's wave with the package's own conicity under load, to what inertia
     and creepage leave (0.3 %)."""
-    _, speed, start = KLINGEL["cone 1:20"]
-    wave, amplitude, rolled, plain, run = klingel(cones, cone_system, speed, start, waves=1.8)
+    contact, start = KLINGEL["cone 1:20"]
+    wave, amplitude, rolled, plain, run = klingel(archives, contact, start, waves=1.8)
     assert run.worst_status == 0
     assert wave == pytest.approx(rolled, rel=3e-3)
     assert wave == pytest.approx(plain, rel=0.02)
@@ -56,10 +53,9 @@ def test_klingel_on_cones(cones, cone_system):
 
 
 @pytest.mark.slow
-def test_klingel_of_s1002(s1002):
+def test_klingel_of_archives(archives):
     """Three millimetres: the conicity changes with the amplitude, which changes along the run."""
-    system = wrcontact.ContactSystem(contact_mode="elastic")
-    wave, _, rolled, _, run = klingel(s1002, system, *KLINGEL["S1002"][1:])
+    wave, _, rolled, _, run = klingel(archives, *KLINGEL["S1002"])
     assert run.worst_status == 0
     assert wave == pytest.approx(rolled, rel=0.02)
 
@@ -78,12 +74,12 @@ def test_critical_speed(linear, model):
     assert linear.critical_speed(30.0, 100.0) == pytest.approx(wanted, rel=5e-3)
 
 
-def test_a_run_grows_as_the_eigenvalue_says(cones, linear):
+def test_a_run_grows_as_the_eigenvalue_says(archives, linear):
     """Past the critical speed; at 20 um the swing is linear, and steps of 0.5 ms with derivatives change the
     growth by less than 1 %."""
     speed = 80.0
     start = SUSPENSION | {"frame_speed": speed, "start_lateral_shift": 2e-5}
-    with Loop(cones, start, LINEAR, FRICTION) as loop:
+    with Loop(archives, start, LINEAR, FRICTION) as loop:
         loop.run(0.1, 5e-4, derivatives=True)
         run = loop.run(0.6, 5e-4, derivatives=True)
     assert run.worst_status == 0
@@ -92,12 +88,12 @@ def test_a_run_grows_as_the_eigenvalue_says(cones, linear):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("start", [0.3e-3, 5e-3], ids=["small", "large"])
-def test_limit_cycle(s1002, start):
+def test_limit_cycle(archives, start):
     """Beyond the critical speed of S1002 (40 m/s) a small and a large swing end in the same cycle between
     the flanges, which have 6.3 mm of play; below it the small one dies, while the large one does not."""
-    run, amplitude = cycle(s1002, 45.0, start, 4.0)
+    run, amplitude = cycle(archives, 45.0, start, 4.0)
     assert amplitude == pytest.approx(6.34e-3, abs=0.05e-3)
-    run, amplitude = cycle(s1002, 36.0, start, 4.0)
+    run, amplitude = cycle(archives, 36.0, start, 4.0)
     assert (amplitude < start / 2) if start < 1e-3 else (amplitude == pytest.approx(6.2e-3, abs=0.1e-3))
-    with Linear(s1002, SOFT) as found:
+    with Linear(archives, SOFT) as found:
         assert 36.0 < found.critical_speed(20.0, 80.0) < 45.0

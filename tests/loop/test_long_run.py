@@ -8,9 +8,9 @@ from examples.hunting_wheelset.long_run import hunt, report
 
 @pytest.mark.parametrize("steps", [20_000, pytest.param(1_000_000, marks=[pytest.mark.slow,
                                                                           pytest.mark.complete])])
-def test_no_status(s1002, steps):
+def test_no_status(archives, steps):
     """The wheels never leave the rails, nor does the contact fail; the real-time factor is printed."""
-    run = hunt(s1002, steps)
+    run = hunt(archives, steps)
     print(report(run, steps))
     assert run.worst_status == 0
     assert np.isfinite(run.motion).all() and np.isfinite(run.forces).all()

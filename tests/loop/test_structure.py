@@ -6,7 +6,6 @@ import sys
 import zipfile
 
 import numpy as np
-import pytest
 from fmpy import read_model_description
 from fmpy.ssp.ssd import read_ssd
 
@@ -26,10 +25,10 @@ os._exit(0)
 """
 
 
-def test_description(s1002, tmp_path):
+def test_description(archives, tmp_path):
     """fmpy reads it by the standard's schema; every input that the wheelset's motion or the contact's forces
     give is connected once, and connectors are variables of the FMUs with the same causality."""
-    ssp = write_ssp(tmp_path / "loop.ssp", s1002, *settings(s1002, EXAMPLE))
+    ssp = write_ssp(tmp_path / "loop.ssp", archives, *settings(archives, EXAMPLE))
     system = read_ssd(str(ssp)).system
     with zipfile.ZipFile(ssp) as archive:
         archive.extractall(tmp_path / "unpacked")
@@ -47,11 +46,11 @@ def test_description(s1002, tmp_path):
 
 
 @needs("libcosimpy")
-def test_libcosim(s1002, tmp_path):
+def test_libcosim(archives, tmp_path):
     """2000 steps by libcosim and by fmpy in the same order; both compute with the same libraries, so that no
     more than rounding differs."""
-    done = subprocess.run([sys.executable, "-c", PROGRAM, str(tmp_path), *map(str, s1002)], text=True, cwd=ROOT,
-                          capture_output=True, timeout=300)
+    done = subprocess.run([sys.executable, "-c", PROGRAM, str(tmp_path), *map(str, archives)], text=True,
+                          cwd=ROOT, capture_output=True, timeout=300)
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
     theirs, mine, worst = json.loads(done.stdout.strip().splitlines()[-1])
     assert worst == 0
