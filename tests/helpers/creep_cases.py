@@ -213,6 +213,7 @@ def random_patch(rng):
                               poisson_ratio=rng.choice([0.0, 0.1, 0.25, 0.28, 0.3, 0.5]))
     count = rng.integers(4, 60)
     station = np.cumsum(rng.uniform(0.05, 1.0, count)) * 10.0 ** rng.uniform(-5.0, -3.0)
-    half_length = 10.0 ** rng.uniform(-4.0, -2.0) * rng.uniform(0.01, 1.0, count) ** rng.choice([0.2, 1.0, 3.0])
+    shape = rng.uniform(0.01, 1.0, count) ** rng.choice([0.2, 1.0, 3.0])
+    half_length = 10.0 ** rng.uniform(-4.0, -2.0) * shape
     return outlined_patch(station, half_length, 1e9 * rng.uniform(0.01, 1.0, count),
                           slant=rng.choice([0.0, 0.0, 0.3, -1.0]))

@@ -11,9 +11,9 @@ STRIPS = {"hertz": (0.6, 2.0, 4.0), "ellipses": (0.35, 1.3, 3.0), "long_and_shor
           "patches": (1.1, 3.3, 5.3), "contact_patches": (1.3, 3.2, 8.0)}
 #: The same of the moment, in % of that times sqrt(ab).
 STRIPS_MOMENT = {"hertz": 0.5, "ellipses": 0.2, "long_and_short": 0.7, "patches": 0.7, "contact_patches": 0.8}
-#: Mean errors of the older theories, as their trial programs had them with 30 x 30 points (FASTSIM 2.4 ... 4.0
-#: with spin as a longitudinal creepage, 3.2 ... 5.0 as published; FaStrip 1.6 ... 2.8 and 2.8 ... 5.2), and
-#: half a per cent for 16 x 16.
+#: Mean and largest errors of the older theories, as their trial programs had the mean with 30 x 30 points
+#: (FASTSIM 2.4 ... 4.0 with spin as a longitudinal creepage, 3.2 ... 5.0 as published; FaStrip 1.6 ... 2.8
+#: and 2.8 ... 5.2), and half a per cent for 16 x 16.
 OTHERS = {("fastsim", False): (4.5, 14.5), ("fastsim", True): (5.5, 21.0),
           ("fastrip", False): (3.3, 22.0), ("fastrip", True): (5.7, 30.0)}
 

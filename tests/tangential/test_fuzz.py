@@ -62,7 +62,8 @@ def test_rolling_backwards_is_the_mirror_image(name):
     for number, patch, saturation, friction in draws(11, 60, 1.0):
         scale, bound, size = full_slip(patch, friction)
         motion = saturation * scale
-        forward = vector(model.solve(replace(patch, slant=-patch.slant), *(motion * (-1.0, 1.0, -1.0)), friction))
+        image = replace(patch, slant=-patch.slant)
+        forward = vector(model.solve(image, *(motion * (-1.0, 1.0, -1.0)), friction))
         model.rolling.backwards = True
         back = vector(model.solve(patch, *motion, friction))
         model.rolling.backwards = False
@@ -73,8 +74,8 @@ def test_rolling_backwards_is_the_mirror_image(name):
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_small_creepages_have_the_force_of_linear_theory(name, axis):
     """Of ellipses, at a millionth of saturation: doubled creepage, doubled force, and Kalker's coefficients.
-    The strips' are corrected by the complete theory, from which Kalker's table is up to 3 % off, and where its
-    asymptotes take over 6 %."""
+    The strips' are corrected by the complete theory, from which Kalker's table is up to 3 % off, and where
+    its asymptotes take over 6 %."""
     model = Model(name)
     for patch in all_shapes()[1:5]:
         scale, bound, size = full_slip(patch, 0.3)
@@ -114,7 +115,8 @@ def test_pure_spin_of_a_circle_in_full_slip():
 @pytest.mark.parametrize("name", MODELS)
 def test_compiled_models_are_their_source_to_the_last_bit(name, monkeypatch):
     some = [(case.parts[0], *case.creepages) for case in cases("patches")[::9]]
-    some += [(patch, *(saturation * full_slip(patch, 0.3)[0])) for _, patch, saturation, _ in draws(3, 25, 2.0)]
+    some += [(patch, *(saturation * full_slip(patch, 0.3)[0]))
+             for _, patch, saturation, _ in draws(3, 25, 2.0)]
     found = []
     for choice in (default_kernel().library, None):
         monkeypatch.setattr(library.default_kernel(), "library", choice)

@@ -9,7 +9,8 @@ import pytest
 from tests.helpers.creep_cases import Model, all_shapes, forces, full_slip, vector
 from wrcontact.creep import elliptic_patch
 
-#: Steepest slopes [mu N per unit of saturation]: linear theory itself has 1.41 for lateral creepage with spin.
+#: Steepest slopes [mu N per unit of saturation]; linear theory itself has 1.41 for lateral creepage with
+#: spin.
 RANDOM_SLOPE, SPIN_SLOPE = 2.4, 5.0
 #: No step of the force is larger than this share of mu N where it is cut in two until nothing is left.
 JUMP = 1e-8

@@ -1,5 +1,7 @@
 """Where nothing rolls, presses or rubs, and other ends of the range: each has its value, and no NaN."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -75,7 +77,6 @@ def test_patches_of_any_size_are_similar(name, scale):
 
 def forces_of_scaled(model, patch, scale, motion):
     """Force and moment (3,) of the patch enlarged ``scale`` times at equal pressures."""
-    from dataclasses import replace
     other = replace(patch, station=scale * patch.station, half_length=scale * patch.half_length,
                     line_load=scale * patch.line_load, normal_force=scale**2 * patch.normal_force)
     return vector(model.solve(other, *motion, 0.3))
@@ -124,11 +125,10 @@ def test_the_widest_patch_has_sixteen_strips_that_fill_it():
 
 
 def test_a_sheared_patch_is_what_its_strips_say():
-    """Strips that are ahead have the lateral creepage eta + phi x there, and the moment x F_y besides: in full
-    slip by lateral creepage the lever is that of the centre of load, none."""
+    """Strips that are ahead have the lateral creepage eta + phi x there, and the moment x F_y besides.  In
+    full slip by lateral creepage the lever is that of the centre of load, none."""
     model = Model("strips")
     straight = all_shapes()[2]
-    from dataclasses import replace
     sheared = replace(straight, slant=0.5)
     scale, bound, size = full_slip(straight, 0.3)
     one, two = (vector(model.solve(patch, 0.0, 1e3 * scale[1], 0.0, 0.3)) for patch in (straight, sheared))

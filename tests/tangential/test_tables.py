@@ -80,7 +80,8 @@ def test_reaches_are_those_of_the_trial_program(nu):
     for row, name in zip(found, "xys"):
         np.testing.assert_allclose(row, stored["S"][name], atol=1e-6)
     for eta in (1e-5, 0.3, 100.0):
-        np.testing.assert_array_equal(stiffness.reaches(table, -eta), -np.array(stiffness.reaches(table, eta)))
+        ahead = np.array(stiffness.reaches(table, eta))
+        np.testing.assert_array_equal(stiffness.reaches(table, -eta), -ahead)
 
 
 def test_factors_are_those_of_the_trial_program():
@@ -98,8 +99,8 @@ def test_factors_are_those_of_the_trial_program():
 
 @pytest.mark.parametrize(("nu", "allowed"), [(0.0, 1e-6), (0.25, 1e-6), (0.3, 1e-2), (0.45, 1.5e-2)])
 def test_strips_of_an_ellipse_have_kalkers_stiffness(nu, allowed):
-    """Force of small creepages by the sum over the strips alone, at nodes of the table.  Between the Poisson's
-    ratios of Kalker's table the factors are parabolas of it, and so are 1/C."""
+    """Force of small creepages by the sum over the strips alone, at nodes of the table.  Between the
+    Poisson's ratios of Kalker's table the factors are parabolas of it, and so are 1/C."""
     tables = kernel_table(nu)
     tables.shear_modulus = 1.0
     tables.parameters.poisson_ratio = nu

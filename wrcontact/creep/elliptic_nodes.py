@@ -1,5 +1,5 @@
-"""Ellipses by the kernel's strips: what they give at the nodes at which exact forces are stored, and how stiff
-they are."""
+"""Ellipses by the kernel's strips: what they give at the nodes at which exact forces are stored, and how
+stiff they are."""
 
 from functools import lru_cache
 from pathlib import Path
