@@ -5,6 +5,7 @@ Errors are parts of the friction limit mu N.
 """
 
 import csv
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,10 +15,10 @@ from tests.helpers.cases import system
 from tests.helpers.paths import REFERENCE_DATA
 from wrcontact.interface.outputs import SIDES
 from wrcontact.reference import pressed_rolling
-from wrcontact.reference.rolling.pressure import PressureField
+from wrcontact.reference.rolling.pressure import Outline
 
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02}
-#: Coarse and fast: half of the error of its pressures would do.
+#: Coarse and fast: creep forces are then within 0.2 % of those at a tolerance of 0.001.
 COMPLETE = {"normal_model": "halfspace", "tangential_model": "halfspace", "tolerance": 0.02}
 SHEAR, POISSON, FRICTION = 82e9, 0.28, 0.3
 
@@ -54,7 +55,7 @@ def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
     assert 0.0 < apart(state, other) < bound
     for side in SIDES:
         one, two = getattr(state, side), getattr(other, side)
-        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=0.1)
+        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=0.03 + 2 * bound)
         # shear is largest at one place, where the strips of a model are coarse
         assert one.patches[0].max_shear == pytest.approx(two.patches[0].max_shear, rel=0.05)
         assert one.friction_power == pytest.approx(two.friction_power, rel=2 * bound)
@@ -62,7 +63,7 @@ def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
 
 def test_cells_and_outlines_agree(monkeypatch, state):
     """The same patches without their cells, as outlines of sixteen strips."""
-    monkeypatch.setattr(pressed_rolling, "cells_of_patch", lambda contact, number: None)
+    monkeypatch.setattr(pressed_rolling, "patch_fields", lambda side, number: None)
     assert 0.0 < apart(state, wrcontact.ContactSystem(**COMPLETE).evaluate(**POSE)) < 0.005
 
 
@@ -114,8 +115,9 @@ def test_rails_that_are_displaced_with_the_wheelset(complete, state):
     away = 5e-3
     moved = complete.evaluate(**POSE | {"lateral_shift": POSE["lateral_shift"] + away},
                               left_rail_lateral=away, right_rail_lateral=away)
-    assert apart(state, moved) < 1e-6
-    np.testing.assert_allclose([moved.force.y, moved.moment.z], [state.force.y, state.moment.z], rtol=1e-6)
+    # the cells lie otherwise
+    assert apart(state, moved) < 1e-3
+    np.testing.assert_allclose([moved.force.y, moved.moment.z], [state.force.y, state.moment.z], rtol=1e-3)
 
 
 def test_standstill_and_no_friction(complete, state):
@@ -142,26 +144,37 @@ def test_wet_rails(complete):
     assert apart(found, complete.evaluate(**POSE)) > 0.05
 
 
-def test_joined_cells_keep_force_and_centre():
-    """Of a patch on a grid that is too fine, with an odd number of cells."""
-    x, y = 1e-4 * np.arange(131), 2e-4 * np.arange(90)
-    pressure = np.sqrt(np.maximum(1.0 - ((x[:, None] - 6e-3) / 5e-3)**2 - ((y - 9e-3) / 4e-3)**2, 0.0))
-    contact = type("Contact", (), {"x": x, "s": y, "pressure": pressure})
-    cells = pressed_rolling.cells_of_patch(contact, 0)
-    assert max(cells.pressure.shape) <= pressed_rolling.MOST_CELLS + 1
-    whole = PressureField.of_cells(x, y, pressure.T)
-    for field in (cells, pressed_rolling.halved(cells)):
-        assert field.normal_force == pytest.approx(whole.normal_force, rel=1e-12)
-        assert field.cover.sum() * field.cell_area == pytest.approx(whole.cover.sum() * whole.cell_area, rel=1e-12)
-        for axis, name in enumerate(("x", "y")):
-            centre = [each.pressure.sum(axis=axis) @ getattr(each, name) / each.pressure.sum()
-                      for each in (field, whole)]
-            assert centre[0] == pytest.approx(centre[1], abs=1e-9)    # [m]
-    few = type("Contact", (), {"x": x[::10], "s": y, "pressure": pressure[::10]})
-    assert pressed_rolling.cells_of_patch(few, 0) is None
-    # two grids that meet in a patch have no even cells
-    uneven = type("Contact", (), {"x": x + 1e-3 * (x > 6e-3), "s": y, "pressure": pressure})
-    assert pressed_rolling.cells_of_patch(uneven, 0) is None
+def ellipse_side(length=3e-3, width=5e-3, cells=40, gap=0.0):
+    """A solved side with Hertz's pressure of an elliptic patch on so many cells each way, the columns beyond its
+    middle ``gap`` [m] farther away; and the ellipse itself on the fine grid."""
+    x, s = (centre + half * (2 * np.arange(cells + 4) - cells - 2.7) / cells
+            for centre, half in ((1e-3, length), (-4e-3, width)))
+    square = 1.0 - ((x[:, None] - 1e-3) / length)**2 - ((s + 4e-3) / width)**2
+    contact = SimpleNamespace(x=x, s=s + gap * (s > -4e-3), pressure=1e9 * np.sqrt(np.maximum(square, 0.0)))
+    solved = SimpleNamespace(x=1e-3, totals=SimpleNamespace(centroid=-4e-3))
+    side = SimpleNamespace(wheel=SimpleNamespace(contact=contact), ranked=lambda number: solved)
+    outline = Outline.of_ellipse(length, width, 1e9 * 2 / 3 * np.pi * length * width)
+    return side, outline.on_grid(48, 48)
+
+
+def test_sampled_pressures_are_those_of_an_ellipse():
+    """Hertz's patch on cells that do not fit it, at their middles, against the ellipse in closed form."""
+    side, exact = ellipse_side()
+    coarse, fine = pressed_rolling.patch_fields(side, 0)
+    assert coarse.pressure.shape == (24, 24)
+    # an edge within cells is known to 0.06 of a cell, 0.3 % of the half-axes
+    for found, given, half in ((fine.x, exact.x, 3e-3), (fine.y, exact.y, 5e-3)):
+        np.testing.assert_allclose(found, given, rtol=0, atol=4e-3 * half)
+    assert fine.normal_force == pytest.approx(exact.normal_force, rel=2e-3)
+    inner = exact.pressure > 0.3e9
+    np.testing.assert_allclose(fine.pressure[inner], exact.pressure[inner], rtol=0, atol=0.01e9)
+    assert fine.cover.sum() == pytest.approx(exact.cover.sum(), rel=5e-3)
+
+
+def test_cells_that_do_not_show_the_edge_are_not_sampled():
+    """Where they are few, or where the grids of two patches meet."""
+    assert pressed_rolling.patch_fields(ellipse_side(cells=pressed_rolling.LEAST_CELLS - 3)[0], 0) is None
+    assert pressed_rolling.patch_fields(ellipse_side(gap=1e-4)[0], 0) is None
 
 
 def test_a_prescribed_vertical_load_is_refused():
@@ -221,9 +234,8 @@ def test_centred_manchester_wheelset(monkeypatch):
     methods = {"normal_model": "halfspace", "tangential_model": "halfspace"}
     state = manchester_wheelset(pair, **methods)
 
-    def plane(motion, side, number, patch, cells):
-        load = cells.pressure.sum(axis=1)
-        return patch.creepage_x - patch.spin * (cells.y - load @ cells.y / load.sum())
+    def plane(motion, side, number, patch, field):
+        return patch.creepage_x - patch.spin * field.y
 
     monkeypatch.setattr(pressed_rolling, "row_slips", plane)
     flat = manchester_wheelset(pair, **methods)
