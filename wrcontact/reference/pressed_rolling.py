@@ -1,7 +1,7 @@
 """Creep forces of a pressed wheel: its patches roll with the pressures that the half-space has found.
 
-Patches are cut into strips as those of the kernel's models are.  Either a model of the kernel finds their creep
-forces, or the complete theory does (wrcontact/reference/rolling), on the cells of the normal contact.
+Patches are cut into strips as those of the kernel's models are.  Either a model of the kernel finds their
+creep forces, or the complete theory does (wrcontact/reference/rolling), with the pressures of the cells.
 """
 
 from dataclasses import dataclass
@@ -22,8 +22,8 @@ from .rolling.extrapolation import COARSE_CELLS, extrapolated
 from .rolling.pressure import PressureField
 from .rolling_step import roll_patch_forwards, roll_strips, write_force
 
-#: A patch with fewer cells than this in either direction rolls as an outline of strips instead: the edge within
-#: its cells is not known well.
+#: A patch with fewer cells than this in either direction rolls as an outline of strips instead: the edge
+#: within its cells is not known well.
 LEAST_CELLS = 12
 #: Points of each cell, each way, at which its pressure is taken.
 POINTS = 8
@@ -47,8 +47,8 @@ class SolvedSide:
     moved: np.ndarray
 
     def ranked(self, number):
-        """The record :class:`~wrcontact.kernel.layout.SolvedPatch` of the patch ``number`` by falling load, from
-        0."""
+        """The record :class:`~wrcontact.kernel.layout.SolvedPatch` of the patch ``number`` by falling load,
+        from 0."""
         return next(patch for patch in self.solved.patches if patch.rank == number + 1)
 
     def place(self, x, station):
@@ -152,9 +152,9 @@ class CompleteRolling:
 
 
 def patch_fields(side, number):
-    """Pressures of the patch ``number`` by falling load on 24 and on 48 cells each way that just hold it, about
-    its centre of load: two :class:`~wrcontact.reference.rolling.pressure.PressureField`; None where the cells of
-    its normal contact are few, or not even.
+    """Pressures of the patch ``number`` by falling load on 24 and on 48 cells each way that just hold it,
+    about its centre of load: two :class:`~wrcontact.reference.rolling.pressure.PressureField`; None where the
+    cells of its normal contact are few, or not even.
 
     Squares of pressures follow straight lines between the cells, to zero at the edge found within them.
     """
@@ -173,9 +173,9 @@ def patch_fields(side, number):
 
 
 def sampled(edge, middles, cells):
-    """A :class:`~wrcontact.reference.rolling.pressure.PressureField` of so many ``cells`` each way that just holds
-    a patch, from its :func:`~wrcontact.reference.edge.edge_field` and the ``middles`` of the cells that this is
-    made from, along x and across [m]."""
+    """A :class:`~wrcontact.reference.rolling.pressure.PressureField` of so many ``cells`` each way that just
+    holds a patch, from its :func:`~wrcontact.reference.edge.edge_field` and the ``middles`` of the cells that
+    this is made from, along x and across [m]."""
     places, found = [], []
     for one, field in zip(middles, (edge.T, edge)):
         low, high = extent(field)
@@ -189,8 +189,8 @@ def sampled(edge, middles, cells):
 
 
 def row_slips(motion, side, number, patch, field):
-    """Longitudinal creepage of each row of a ``field`` about the centre of load, whose rolling radius is its own,
-    (ny,); reduced as the other creepages of the patch are on wet rails."""
+    """Longitudinal creepage of each row of a ``field`` about the centre of load, whose rolling radius is its
+    own, (ny,); reduced as the other creepages of the patch are on wet rails."""
     solved = side.ranked(number)
     load = field.pressure.sum(axis=1)
     x = np.divide(field.pressure @ field.x, load, out=np.zeros(len(load)), where=load > 0.0)
@@ -202,8 +202,8 @@ def row_slips(motion, side, number, patch, field):
 
 
 def roll_fields(patch, fields, slips, **material):
-    """:class:`~wrcontact.reference.rolling.extrapolation.RollingForces` of a patch that rolls forwards, on the
-    pressures of a coarse and a fine grid with the ``slips`` of their rows."""
+    """:class:`~wrcontact.reference.rolling.extrapolation.RollingForces` of a patch that rolls forwards, on
+    the pressures of a coarse and a fine grid with the ``slips`` of their rows."""
     found, solution = [], None
     for field, slip in zip(fields, slips):
         if patch.backwards:
