@@ -203,26 +203,35 @@ static inline int64_t slip_march__add_beyond(array_double_1d tables, array_doubl
 static inline int64_t slip_march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, int64_t marches)
 {
     double before;
+    int64_t slipping;
     int64_t q;
     double x;
     double bound;
+    int64_t first;
     int64_t strip;
     before = 1.0;
+    slipping = slip_march__has_slip(work, marches);
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        first = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        strip = first;
         while(strip >= INT64_C(0))
         {
             slip_march__reach_edge(work, marches, strip, before, x, bound);
             strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
         }
-        slip_march__march_on(work, marches, x, bound, before - x);
-        strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        slip_march__march_first(work, marches, x, bound, before - x);
+        if (slipping == INT64_C(1))
+        {
+            slip_march__march_second(work, marches, x, bound, before - x);
+        }
+        strip = first;
         while(strip >= INT64_C(0))
         {
             slip_march__leave_edge(work, marches, strip, x, bound);
+            slipping = INT64_C(1);
             strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
         }
         before = x;
@@ -230,26 +239,67 @@ static inline int64_t slip_march__march_strips(array_double_1d tables, array_dou
     return INT64_C(0);
 }
 
-/* Let the marches of all strips come to ``x``, a ``step`` further, and add what slips there: eqs. (M1),
- * (M2), (M5), most of all time that the model takes.
+/* 1 if slip counts in some strip at its leading edge, else 0. */
+static inline int64_t slip_march__has_slip(array_double_1d work, int64_t marches)
+{
+    int64_t i;
+    int64_t found;
+    found = INT64_C(0);
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) > 0.0)
+        {
+            found = INT64_C(1);
+        }
+    }
+    return found;
+}
+
+/* Let march A of all strips come to ``x``, a ``step`` further, eq. (M1). */
+static inline int64_t slip_march__march_first(array_double_1d work, int64_t marches, double x, double bound, double step)
+{
+    double limit;
+    int64_t i;
+    double at;
+    double along;
+    double across;
+    double square;
+    double cut;
+    limit = bound * bound;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at);
+        square = along * along + across * across;
+        if (square < limit)
+        {
+            square = limit;
+        }
+        cut = bound / sqrt(square);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+    }
+    return INT64_C(0);
+}
+
+/* The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
+ * takes.
  */
-static inline int64_t slip_march__march_on(array_double_1d work, int64_t marches, double x, double bound, double step)
+static inline int64_t slip_march__march_second(array_double_1d work, int64_t marches, double x, double bound, double step)
 {
     double share;
     double limit;
     double soft;
     int64_t i;
     double at;
-    double first_x;
-    double first_y;
-    double square;
-    double cut;
     double second_x;
     double second_y;
+    double square;
+    double cut;
     double along;
     double across;
     double scale;
-    double noted;
     double largest;
     share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE));
     limit = bound * bound;
@@ -257,18 +307,6 @@ static inline int64_t slip_march__march_on(array_double_1d work, int64_t marches
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
-        first_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
-        first_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at);
-        square = first_x * first_x + first_y * first_y;
-        if (square < limit)
-        {
-            square = limit;
-        }
-        cut = bound / sqrt(square);
-        first_x *= cut;
-        first_y *= cut;
-        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = first_x;
-        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = first_y;
         second_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
         second_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at);
         square = second_x * second_x + second_y * second_y;
@@ -281,15 +319,14 @@ static inline int64_t slip_march__march_on(array_double_1d work, int64_t marches
         second_y *= cut;
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
-        along = first_x + share * (second_x - first_x);
-        across = first_y + share * (second_y - first_y);
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + share * (second_x - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * (second_y - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)));
         square = along * along + across * across;
         scale = bound / sqrt((1.0 - slip_march__SOFT * slip_march__SOFT) * square + soft);
-        noted = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale);
-        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
-        if (largest < noted)
+        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale);
+        if (largest < (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
         {
-            largest = noted;
+            largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
         }
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
         scale *= bound * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));

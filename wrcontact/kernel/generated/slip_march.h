@@ -48,11 +48,13 @@ static inline int64_t slip_march__open_marches(array_double_1d work, int64_t mar
 static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march, int64_t marches, int64_t number, double plane, double spinning, double ratio);
 static inline int64_t slip_march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number, int64_t last);
 static inline int64_t slip_march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number);
+static inline int64_t slip_march__has_slip(array_double_1d work, int64_t marches);
 static inline double slip_march__sqrt_of(double value);
 static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y, double x, double step);
 static inline int64_t slip_march__note_largest(array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y);
 static inline int64_t slip_march__reach_edge(array_double_1d work, int64_t marches, int64_t i, double before, double x, double bound);
-static inline int64_t slip_march__march_on(array_double_1d work, int64_t marches, double x, double bound, double step);
+static inline int64_t slip_march__march_first(array_double_1d work, int64_t marches, double x, double bound, double step);
+static inline int64_t slip_march__march_second(array_double_1d work, int64_t marches, double x, double bound, double step);
 static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double bound);
 static inline int64_t slip_march__leave_edge(array_double_1d work, int64_t marches, int64_t i, double x, double bound);
 static inline int64_t slip_march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, int64_t marches);

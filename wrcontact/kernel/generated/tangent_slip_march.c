@@ -393,26 +393,35 @@ static inline int64_t tangent_slip_march__add_beyond_t(array_double_1d tables, a
 static inline int64_t tangent_slip_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t marches)
 {
     double before;
+    int64_t slipping;
     int64_t q;
     double x;
     double bound;
+    int64_t first;
     int64_t strip;
     before = 1.0;
+    slipping = slip_march__has_slip(work, marches);
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        first = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        strip = first;
         while(strip >= INT64_C(0))
         {
             tangent_slip_march__reach_edge_t(work, work_t, marches, strip, before, 0.0, x, 0.0, bound, 0.0);
             strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
         }
-        tangent_slip_march__march_on_t(work, work_t, marches, x, 0.0, bound, 0.0, before - x, 0.0);
-        strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        tangent_slip_march__march_first_t(work, work_t, marches, x, 0.0, bound, 0.0, before - x, 0.0);
+        if (slipping == INT64_C(1))
+        {
+            tangent_slip_march__march_second_t(work, work_t, marches, x, 0.0, bound, 0.0, before - x, 0.0);
+        }
+        strip = first;
         while(strip >= INT64_C(0))
         {
             tangent_slip_march__leave_edge_t(work, work_t, marches, strip, x, 0.0, bound, 0.0);
+            slipping = INT64_C(1);
             strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
         }
         before = x;
@@ -420,8 +429,57 @@ static inline int64_t tangent_slip_march__march_strips_t(array_double_1d tables,
     return INT64_C(0);
 }
 
-/* Tangent of ``march_on``. */
-static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t)
+/* Tangent of ``march_first``. */
+static inline int64_t tangent_slip_march__march_first_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t)
+{
+    double limit_t;
+    double limit;
+    int64_t i;
+    double at_t;
+    double at;
+    double along_t;
+    double along;
+    double v1;
+    double across_t;
+    double across;
+    double square_t;
+    double square;
+    double v2;
+    double v3;
+    double cut_t;
+    double cut;
+    limit_t = bound_t * bound + bound * bound_t;
+    limit = bound * bound;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at_t = x_t + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step_t);
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        along_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_X + i)));
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
+        v1 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
+        across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - (step_t * v1 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at_t)));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v1;
+        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        square = along * along + across * across;
+        if (square < limit)
+        {
+            square_t = limit_t;
+            square = limit;
+        }
+        v2 = sqrt(square);
+        v3 = bound / v2;
+        cut_t = (bound_t - v3 * tangent_rates__root_rate(v2, square_t)) / v2;
+        cut = v3;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut_t * along + cut * along_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut_t * across + cut * across_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``march_second``. */
+static inline int64_t tangent_slip_march__march_second_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t)
 {
     double share_t;
     double share;
@@ -433,43 +491,34 @@ static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array
     int64_t i;
     double at_t;
     double at;
-    double first_x_t;
-    double first_x;
+    double second_x_t;
+    double second_x;
     double v2;
-    double first_y_t;
-    double first_y;
+    double second_y_t;
+    double second_y;
     double square_t;
     double square;
     double v3;
     double v4;
     double cut_t;
     double cut;
-    double second_x_t;
-    double second_x;
     double v5;
-    double second_y_t;
-    double second_y;
-    double v6;
-    double v7;
-    double v8;
     double along_t;
     double along;
-    double v9;
+    double v6;
     double across_t;
     double across;
+    double v7;
+    double v8;
+    double v9;
     double v10;
-    double v11;
-    double v12;
-    double v13;
     double scale_t;
     double scale;
-    double v14;
-    double v15;
-    double noted_t;
-    double noted;
+    double v11;
+    double v12;
     double largest_t;
     double largest;
-    double v16;
+    double v13;
     share_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SHARE));
     share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE));
     limit_t = bound_t * bound + bound * bound_t;
@@ -481,13 +530,13 @@ static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array
     {
         at_t = x_t + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step_t);
         at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
-        first_x_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_X + i)));
-        first_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
-        v2 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
-        first_y_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - (step_t * v2 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at_t)));
-        first_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v2;
-        square_t = first_x_t * first_x + first_x * first_x_t + (first_y_t * first_y + first_y * first_y_t);
-        square = first_x * first_x + first_y * first_y;
+        second_x_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + i)));
+        second_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
+        v2 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
+        second_y_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (step_t * v2 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at_t)));
+        second_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v2;
+        square_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
+        square = second_x * second_x + second_y * second_y;
         if (square < limit)
         {
             square_t = limit_t;
@@ -497,30 +546,6 @@ static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array
         v4 = bound / v3;
         cut_t = (bound_t - v4 * tangent_rates__root_rate(v3, square_t)) / v3;
         cut = v4;
-        first_x_t = first_x_t * cut + first_x * cut_t;
-        first_x = first_x * cut;
-        first_y_t = first_y_t * cut + first_y * cut_t;
-        first_y = first_y * cut;
-        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = first_x_t;
-        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = first_x;
-        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = first_y_t;
-        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = first_y;
-        second_x_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + i)));
-        second_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
-        v5 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
-        second_y_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (step_t * v5 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at_t)));
-        second_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v5;
-        square_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
-        square = second_x * second_x + second_y * second_y;
-        if (square < limit)
-        {
-            square_t = limit_t;
-            square = limit;
-        }
-        v6 = sqrt(square);
-        v7 = bound / v6;
-        cut_t = (bound_t - v7 * tangent_rates__root_rate(v6, square_t)) / v6;
-        cut = v7;
         second_x_t = second_x_t * cut + second_x * cut_t;
         second_x = second_x * cut;
         second_y_t = second_y_t * cut + second_y * cut_t;
@@ -529,36 +554,34 @@ static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
         (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y_t;
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
-        v8 = second_x - first_x;
-        along_t = first_x_t + (share_t * v8 + share * (second_x_t - first_x_t));
-        along = first_x + share * v8;
-        v9 = second_y - first_y;
-        across_t = first_y_t + (share_t * v9 + share * (second_y_t - first_y_t));
-        across = first_y + share * v9;
+        v5 = second_x - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i));
+        along_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + (share_t * v5 + share * (second_x_t - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i))));
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v5;
+        v6 = second_y - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i));
+        across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + (share_t * v6 + share * (second_y_t - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i))));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v6;
         square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
         square = along * along + across * across;
-        v10 = 1.0 - slip_march__SOFT * slip_march__SOFT;
-        v11 = v10 * square + soft;
-        v12 = sqrt(v11);
-        v13 = bound / v12;
-        scale_t = (bound_t - v13 * tangent_rates__root_rate(v12, v10 * square_t + soft_t)) / v12;
-        scale = v13;
-        v14 = square * scale;
-        v15 = v14 * scale;
-        noted_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) * v15 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v14 * scale_t);
-        noted = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * v15;
-        largest_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i));
-        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
-        if (largest < noted)
+        v7 = 1.0 - slip_march__SOFT * slip_march__SOFT;
+        v8 = v7 * square + soft;
+        v9 = sqrt(v8);
+        v10 = bound / v9;
+        scale_t = (bound_t - v10 * tangent_rates__root_rate(v9, v7 * square_t + soft_t)) / v9;
+        scale = v10;
+        v11 = square * scale;
+        v12 = v11 * scale;
+        largest_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) * v12 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v11 * scale_t);
+        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * v12;
+        if (largest < (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
         {
-            largest_t = noted_t;
-            largest = noted;
+            largest_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i));
+            largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
         }
         (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest_t;
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
-        v16 = bound * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
-        scale_t = scale_t * v16 + scale * (bound_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)));
-        scale = scale * v16;
+        v13 = bound * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
+        scale_t = scale_t * v13 + scale * (bound_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)));
+        scale = scale * v13;
         (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) + (scale_t * along + scale * along_t);
         (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) + scale * along;
         across_t = across_t * scale + across * scale_t;

@@ -20,7 +20,8 @@ static inline int64_t tangent_slip_march__sqrt_of_t(double* root, double* root_t
 static inline int64_t tangent_slip_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t);
 static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t);
 static inline int64_t tangent_slip_march__reach_edge_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double before, double before_t, double x, double x_t, double bound, double bound_t);
-static inline int64_t tangent_slip_march__march_on_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t);
+static inline int64_t tangent_slip_march__march_first_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t);
+static inline int64_t tangent_slip_march__march_second_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t);
 static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double bound, double bound_t);
 static inline int64_t tangent_slip_march__leave_edge_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double x, double x_t, double bound, double bound_t);
 static inline int64_t tangent_slip_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t marches);

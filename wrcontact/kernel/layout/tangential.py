@@ -17,10 +17,9 @@ SHAPE_PER_UNIT: Final[float] = 4.0
 SHAPE_CELLS: Final[int] = 28
 SHAPE_COLUMNS: Final[int] = 6        # 1/C11, 1/C22, 1/C23 and the factors of strips' stiffnesses
 SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
-# how strips of tractions reach beside themselves, over ln(distance / half-length), likewise
-REACH_START: Final[float] = -7.5
-REACH_PER_UNIT: Final[float] = 8.0
-REACH_CELLS: Final[int] = 93
+# how strips of tractions reach beside themselves, over the fourth root of distance / half-length, likewise
+REACH_PER_UNIT: Final[float] = 32.0
+REACH_CELLS: Final[int] = 90
 REACH_COLUMNS: Final[int] = 3        # longitudinal, lateral, spin
 REACH_ROW: Final[int] = 4 * REACH_COLUMNS
 # what exact forces of ellipses differ from the strips' by, over ln(a/b) and the saturation in polar
@@ -45,9 +44,7 @@ class RollingTable:
     cosines: Float * POINT_LIMIT    # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
     sines: Float * POINT_LIMIT      # and sqrt(1 - (x/a)^2) there
     shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
-    reaches: Float * (REACH_ROW * REACH_CELLS)
-    first_distance: float           # below it reaches are proportional to the distance
-    first_reaches: Float * REACH_COLUMNS
+    reaches: Float * (REACH_ROW * (REACH_CELLS + 1))    # the last row is what stays beyond the cells
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE

@@ -161,40 +161,60 @@ def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches
 def march_strips(table: RollingTable, marches: RollingMarches):
     """Add the points of all strips, from the leading edge on, to their sums."""
     before = 1.0
+    slipping = has_slip(marches)
     for q in range(POINT_LIMIT):
         x = table.cosines[q]
         bound = table.sines[q]
-        strip = int(marches.at_point[q])
+        first = int(marches.at_point[q])
+        strip = first
         while strip >= 0:
             reach_edge(marches, strip, before, x, bound)
             strip = int(marches.next[strip])
-        march_on(marches, x, bound, before - x)
-        strip = int(marches.at_point[q])
+        march_first(marches, x, bound, before - x)
+        if slipping == 1:
+            march_second(marches, x, bound, before - x)
+        strip = first
         while strip >= 0:
             leave_edge(marches, strip, x, bound)
+            slipping = 1
             strip = int(marches.next[strip])
         before = x
     return 0
 
 
-def march_on(marches: RollingMarches, x: float, bound: float, step: float):
-    """Let the marches of all strips come to ``x``, a ``step`` further, and add what slips there: eqs. (M1),
-    (M2), (M5), most of all time that the model takes."""
+def has_slip(marches: RollingMarches):
+    """1 if slip counts in some strip at its leading edge, else 0."""
+    found = 0
+    for i in range(ROLLING_STRIP_LIMIT):
+        if marches.slips[i] > 0.0:
+            found = 1
+    return found
+
+
+def march_first(marches: RollingMarches, x: float, bound: float, step: float):
+    """Let march A of all strips come to ``x``, a ``step`` further, eq. (M1)."""
+    limit = bound * bound
+    for i in range(ROLLING_STRIP_LIMIT):
+        at = x + marches.lag[i] * step
+        along = marches.first_x[i] - step * marches.push_x[i]
+        across = marches.first_y[i] - step * (marches.push_y[i] + marches.push_turn[i] * at)
+        square = along * along + across * across
+        if square < limit:
+            square = limit
+        cut = bound / sqrt(square)
+        marches.first_x[i] = cut * along
+        marches.first_y[i] = cut * across
+    return 0
+
+
+def march_second(marches: RollingMarches, x: float, bound: float, step: float):
+    """The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
+    takes."""
     share = marches.share
     limit = bound * bound
     soft = SOFT * SOFT * limit
     for i in range(ROLLING_STRIP_LIMIT):
         at = x + marches.lag[i] * step
-        first_x = marches.first_x[i] - step * marches.push_x[i]
-        first_y = marches.first_y[i] - step * (marches.push_y[i] + marches.push_turn[i] * at)
-        square = first_x * first_x + first_y * first_y
-        if square < limit:
-            square = limit
-        cut = bound / sqrt(square)
-        first_x *= cut
-        first_y *= cut
-        marches.first_x[i] = first_x
-        marches.first_y[i] = first_y
         second_x = marches.second_x[i] - step * marches.centre_x[i]
         second_y = marches.second_y[i] - step * (marches.centre_y[i] + marches.centre_turn[i] * at)
         square = second_x * second_x + second_y * second_y
@@ -205,14 +225,13 @@ def march_on(marches: RollingMarches, x: float, bound: float, step: float):
         second_y *= cut
         marches.second_x[i] = second_x
         marches.second_y[i] = second_y
-        along = first_x + share * (second_x - first_x)
-        across = first_y + share * (second_y - first_y)
+        along = marches.first_x[i] + share * (second_x - marches.first_x[i])
+        across = marches.first_y[i] + share * (second_y - marches.first_y[i])
         square = along * along + across * across
         scale = bound / sqrt((1.0 - SOFT * SOFT) * square + soft)
-        noted = marches.noted[i] * (square * scale * scale)
-        largest = marches.largest[i]
-        if largest < noted:
-            largest = noted
+        largest = marches.noted[i] * (square * scale * scale)
+        if largest < marches.largest[i]:
+            largest = marches.largest[i]
         marches.largest[i] = largest
         scale *= bound * marches.slips[i]
         marches.sum_x[i] += scale * along
