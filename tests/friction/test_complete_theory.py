@@ -94,6 +94,16 @@ def test_resultants_take_them_up(state):
     assert state.driving_torque == pytest.approx(torque, abs=1e-3 * levers + lateral)
 
 
+def test_outlines_apart_and_one_side():
+    """Another number of stations follows behind the outputs; the torque needs both wheels."""
+    found = wrcontact.ContactSystem(**COMPLETE, stations=101).evaluate(**POSE, side="right")
+    outline = found.right.outline
+    assert outline.shear.shape == (101,) and np.isnan(found.driving_torque)
+    power = np.trapezoid(outline.shear * outline.slip * 2 * outline.half_length, outline.station)
+    # sixteen strips, whose elastic power is left out
+    assert power == pytest.approx(found.right.friction_power, rel=0.03)
+
+
 def test_mirrored_poses_swap_the_wheels(complete, state):
     """To what the iterations of the pressures leave, whose sums run the other way for a mirrored pose."""
     turned = {name: -POSE[name] for name in ("lateral_shift", "yaw", "lateral_velocity")}
