@@ -6,7 +6,7 @@ from xml.etree.ElementTree import fromstring
 
 from ..conventions import SIDES
 from ..interface.variables import folded
-from ..methods import CHOICES
+from ..methods import CHOICES, family_of
 
 ICON = Path(__file__).resolve().parent / "icon.svg"
 
@@ -35,7 +35,7 @@ limit. The step itself still succeeds, and the next valid input gives a valid re
 <tr><td>2</td><td>off the profile: no contact inside both profiles, or a wheel more than 2 mm deep in its rail</td>
 <td>last valid values</td></tr>
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
-<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, or a load transfer beyond &plusmn;1</td>
+<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1, or friction outside 0 &hellip; 2</td>
 <td>last valid values</td></tr>
 </table>
 """
@@ -51,13 +51,33 @@ stations and centroids of both wheels can be compared directly. Only <code>y_tra
 positive towards the flange.</p>
 <p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in
 the axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
-<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: the force of each patch has the direction of its normal.</p>
+<code>vertical_shift</code> &minus; <code>nominal_radius</code>). They include the creep forces of
+friction where a <code>tangential_model</code> is chosen; <code>normal.force</code> and <code>normal.moment</code> are the parts of
+the pressures alone.</p>
 
 <p><code>creepage.x</code>, <code>creepage.y</code> and <code>creepage.spin</code> of a patch are the velocity of the wheel
 against the rail forward and to the left in the plane of the patch, and its rotation about the normal from the rail to the
 wheel, over the mean of the speed and the speed of the wheel's circumference. Velocities are inputs; in rigid and elastic
 contact the vertical velocity and the roll rate follow from contact with both rails. Without <code>speed</code> and
 <code>wheel_rate</code> there are no creepages.</p>
+
+<h2>Creep forces</h2>
+<p><code>tangential_model</code> decides how creep forces follow from a solved patch, its creepages and the coefficient of
+friction of its side, <code>left.friction</code> or <code>right.friction</code>: {models}.
+Without <code>speed</code> and <code>wheel_rate</code> nothing rolls, and there are no creep forces.</p>
+<p><code>tangential.x</code> is the force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
+field side, on both sides; <code>tangential.moment</code> is the moment on the wheel about the normal from the rail to the
+wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
+<code>saturation</code> is the creep force over friction times normal force; <code>friction_power</code> is what friction takes
+from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub> + &phi; M<sub>z</sub>) with the creepages' own
+directions; <code>wear_number</code> is T&gamma; without spin. <code>driving_torque</code> is the torque of the creep forces about
+the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. <code>shear</code> times
+<code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
+vertical load.</p>
+<p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
+friction fall with the sliding velocity w,</p>
+<p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
+<p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
 
 <h2>Contact modes</h2>
 <p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
@@ -123,9 +143,15 @@ def documentation_page(version, description, about):
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>WheelsetContact</title>\n'
         f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}WheelsetContact</h1>\n"
         f"<p>Wheel-rail contact of one wheelset on track; {versions}.</p>\n"
-        f"{USE}{about}{METHOD}{_abilities(root)}{tables}"
+        f"{USE}{about}{METHOD.replace('{models}', tangential_models())}{_abilities(root)}{tables}"
         '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
     )
+
+
+def tangential_models():
+    """HTML on the tangential models that an FMU has."""
+    return ", ".join(f"<em>{method.name}</em> ({escape(method.words)})"
+                     for method in family_of("tangential_model").methods if not method.python_only)
 
 
 # --- what holds for one kind of FMU ------------------------------------------------------------------
@@ -177,10 +203,10 @@ from it gives the same bits as one that was not interrupted. Its bytes can be re
 
 
 OUTLINES = {
-    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> "
-       "and <code>pressure</code>; the FMU of FMI 3.0 has arrays instead.",
-    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and "
-       "<code>pressure</code>, evenly spaced from the first loaded place to the last. Their length is the "
+    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code>, "
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>; the FMU of FMI 3.0 has arrays instead.",
+    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code>, "
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, evenly spaced from the first loaded place to the last. Their length is the "
        "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
        "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
        "depends on it. An array has one value reference, and a call needs room for all its values. Value "

@@ -148,11 +148,18 @@ class ContactSystem:
         stepper.want(side, outputs)
         return stepper
 
+    @property
+    def _halfspace(self):
+        """The tolerance of the half-space, and Poisson's ratio if creep forces follow by the complete theory,
+        else None."""
+        complete = isinstance(self.methods["tangential_model"], HalfspaceRolling)
+        return self.parameters["tolerance"], self.parameters["poisson_ratio"] if complete else None
+
     def _new_stepper(self):
         if isinstance(self.methods["normal_model"], Halfspace):
             from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]), self._left_tables)
+            return Stepper(self._tables, halfspace_solver(*self._halfspace), self._left_tables)
         if isinstance(self.methods["tangential_model"], HalfspaceRolling):
             from .reference.rolling_step import RollingSolver
 
@@ -261,8 +268,7 @@ class ContactSystem:
             return stepper.parts(rows, places)
         from .reference.processes import shared_parts  # scipy is not needed before
 
-        return shared_parts((stepper.tables, stepper.left_tables), self.parameters["tolerance"], rows, places,
-                            processes)
+        return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for

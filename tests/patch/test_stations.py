@@ -123,7 +123,7 @@ def test_compiled_and_uncompiled_kernel_give_equal_bits(model, number):
     if not default_kernel().compiled:
         pytest.skip("there is no compiled kernel")
     tables = ContactSystem(normal_model=model, stations=number)._tables
-    size = layout.OUTPUT_COUNT + 6 * number
+    size = layout.OUTPUT_COUNT + 2 * layout.RUN_COUNT * number
     answers = []
     for kernel in (default_kernel(), Kernel()):
         arrays = [np.zeros(n) for n in (layout.STATE_SIZE, layout.WORK_SIZE, layout.INPUT_COUNT)]
@@ -132,7 +132,8 @@ def test_compiled_and_uncompiled_kernel_give_equal_bits(model, number):
         rows[:, layout.IN_NORMAL_FORCE] = 78.5e3
         kernel.bind(tables, *arrays, np.zeros(size)).step_many(2, rows, outputs, status)
         answers.append(outputs)
-    assert (answers[0] == answers[1]).all() and answers[0].any(axis=0)[-number:].sum() == number - 2
+    # the third run from behind is the pressure
+    assert (answers[0] == answers[1]).all() and answers[0].any(axis=0)[-3 * number:-2 * number].sum() == number - 2
 
 
 def test_tables_of_poses():
@@ -163,12 +164,13 @@ def test_an_unloaded_wheel_has_an_empty_outline_and_an_invalid_step_keeps_the_la
     stepper.inputs[:7] = 2e-3, 0.0, 0.0, 78.5e3, 0.0, 0.0, 0.0
     assert stepper.step() == Status.VALID
     valid = stepper.outputs.copy()
-    assert valid[-61:].any() and valid.shape == (layout.OUTPUT_COUNT + 6 * 61,)
+    runs = layout.RUN_COUNT * 61
+    assert valid[-runs:].any() and valid.shape == (layout.OUTPUT_COUNT + 2 * runs,)
     stepper.inputs[0] = 0.02
     assert stepper.step() == Status.OFF_PROFILE and (stepper.outputs == valid).all()
     stepper.inputs[0], stepper.inputs[4] = 2e-3, -1.0
     assert stepper.step() == Status.UNLOADED
-    left, right = stepper.outputs[-6 * 61:-3 * 61], stepper.outputs[-3 * 61:]
+    left, right = stepper.outputs[-2 * runs:-runs], stepper.outputs[-runs:]
     assert left.any() and not right.any()
 
 

@@ -208,7 +208,7 @@ def mirrored(row):
     found = dict(zip(names, row))
     swap = {"left": "right", "right": "left"}
     there = {f"{swap[name.split('.')[0]]}.{name.split('.')[1]}" if "." in name else name:
-             value if name in KEPT else -value for name, value in found.items()}
+             value if name in KEPT or name.endswith("friction") else -value for name, value in found.items()}
     return np.array([there[name] for name in names])
 
 

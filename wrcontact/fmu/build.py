@@ -27,11 +27,12 @@ RUNTIME = Path(pythonfmu.__file__).parent
 LOADER = b'''"""wrcontact in an FMU, loaded completely: the folder may be deleted before the next instance is created."""
 
 from .simulation import session
-from .kernel.binding import fixed_tables, library
+from .kernel.binding import library
+from .kernel.binding.fixed_tables import fixed_tables
 from .kernel.wheelset import step
 
 library.default_kernel()
-fixed_tables.fixed_tables()
+fixed_tables(True)
 '''
 #: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
 DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"

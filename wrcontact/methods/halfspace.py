@@ -27,7 +27,16 @@ class Halfspace(NormalModel):
             "lateral_curvature": "adaptive",
         },
         "has no damping": {"contact_damping": 0.0},
-        "has no friction": {"tangential_model": "none"},
     }
 
     tolerance: float | None = tolerance_from(3e-4)
+
+    def check_beside(self, chosen):
+        """As for every method; with creep forces, which would carry a part of a vertical load, the load is
+        the normal one."""
+        super().check_beside(chosen)
+        if chosen["tangential_model"] != "none" and chosen["load"] != "normal":
+            raise ValueError(
+                f"load is {chosen['load']!r}; permitted with the normal_model 'halfspace' and the "
+                f"tangential_model {chosen['tangential_model']!r} is 'normal'"
+            )

@@ -15,19 +15,21 @@ STRAY_SHARE = 1e-6
 
 def write_side(side, wheel, index, centre, outline=None):
     """Normal contact of the :class:`PressedWheel` of side ``index`` into its outputs: totals, patches by
-    falling load, force and moment about the wheelset's ``centre`` (3,) in the frame of a right wheel; and
-    into ``outline`` (3, stations), if that is wanted.  Force and moment (6,)."""
+    falling load, force and moment about the wheelset's ``centre`` (3,) in the frame of a right wheel, without
+    friction; and into ``outline`` (5, stations), if that is wanted.  The solved patches, and force and moment
+    (6,)."""
     contact = wheel.contact
     lengths, low, high = extents(contact)
     mirror = 2.0 * index - 1.0
     solved = solved_patches(wheel, mirror)
-    write_patches(solved, layout.SideOutputs.at(side))
+    record = layout.SideOutputs.at(side)
+    write_patches(solved, record)
     if outline is not None:
         write_outline(outline, contact, lengths, low, high)
     total = resultant(wheel, centre) * [1.0, mirror, 1.0, mirror, 1.0, mirror]
-    side[layout.SIDE_FORCE:layout.SIDE_FORCE + 3] = total[:3]
-    side[layout.SIDE_MOMENT:layout.SIDE_MOMENT + 3] = total[3:]
-    return total
+    record.force[:] = record.normal_part[:] = total[:3]
+    record.moment[:] = record.normal_moment[:] = total[3:]
+    return solved, total
 
 
 def extents(contact):
@@ -111,13 +113,14 @@ def split_patches(contact):
 
 def write_outline(outline, contact, lengths, low, high):
     """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into
-    ``outline``."""
+    ``outline``, and neither shear nor slip."""
     station = np.linspace(low, high, outline.shape[1])
     # both are roots at the ends of a Hertzian patch: their squares are straight there
     half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
     pressure = np.sqrt(np.interp(station, contact.s, contact.pressure.max(axis=0) ** 2))
     half[[0, -1]] = pressure[[0, -1]] = 0.0
     outline[:3] = station, half, pressure
+    outline[3:] = 0.0
 
 
 def _station(contact, place):

@@ -17,14 +17,14 @@ CHUNK = 2                # rows that a process takes at a time
 _worker = None           # in a worker: its stepper, and the places of the outputs that are wanted
 
 
-def shared_parts(tables, tolerance, rows, places, processes):
+def shared_parts(tables, solver, rows, places, processes):
     """Evaluate ``rows`` of inputs (n, 7) in ``processes``; yields what
     :meth:`~wrcontact.stepper.Stepper.parts` yields, in the order of the rows and with the same numbers.
 
     Parameters
     ----------
     tables : of a stepper's right and left side, with what is wanted and prescribed.
-    tolerance : as for :func:`~wrcontact.reference.stepping.halfspace_solver`.
+    solver : arguments of :func:`~wrcontact.reference.stepping.halfspace_solver`.
     places : of the wanted outputs, None for all.
 
     Raises
@@ -39,7 +39,7 @@ def shared_parts(tables, tolerance, rows, places, processes):
         right, left = tables
         np.savez(path, right=right, **({} if left is right else {"left": left}))
         pool = ProcessPoolExecutor(min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin,
-                                   (path, tolerance, places))
+                                   (path, solver, places))
         try:
             for part, (found, status) in zip(parts, pool.map(_evaluated, [rows[part] for part in parts])):
                 yield part, found, status
@@ -51,10 +51,10 @@ def shared_parts(tables, tolerance, rows, places, processes):
             pool.shutdown(cancel_futures=True)
 
 
-def _begin(path, tolerance, places):
+def _begin(path, solver, places):
     global _worker
     with np.load(path) as tables:
-        _worker = Stepper(tables["right"], halfspace_solver(tolerance), tables.get("left")), places
+        _worker = Stepper(tables["right"], halfspace_solver(*solver), tables.get("left")), places
 
 
 def _evaluated(rows):

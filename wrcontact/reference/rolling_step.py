@@ -72,11 +72,18 @@ class RollingSolver:
                 if to.creepage_x or to.creepage_y or to.spin:
                     take_back(to, mirror)
                     roll_strips(patch, **self._material)
-                    write_creep(patch, to, mirror, patch.friction * patch.load)
-                    add_creep(work.motion, outputs, side, to, mirror)
+                    write_force(work, index, patch, to)
             write_side_wear(layout.Tables.at(self._sides[index]), work, index)
         if absent:
             outputs.driving_torque = np.nan
+
+
+def write_force(work, index, patch, to):
+    """What has been found of a rolling ``patch`` into its outputs ``to`` on side ``index``, and into the
+    resultants."""
+    mirror = 2.0 * index - 1.0
+    write_creep(patch, to, mirror, patch.friction * patch.load)
+    add_creep(work.motion, work.outputs, work.outputs.left[index], to, mirror)
 
 
 def restore(record, force, moment):
@@ -97,16 +104,25 @@ def take_back(to, mirror):
 
 def roll_strips(patch, **material):
     """Creep force of a rolling patch of the kernel, a :class:`~wrcontact.kernel.layout.RollingPatch`, by the
-    complete theory, into its record.  A patch that rolls backwards is the mirror image of one that rolls
-    forwards."""
+    complete theory, into its record."""
+    def solved():
+        outline, creepage_x = outline_of_strips(patch)
+        return roll_outline(outline, creepage_x=creepage_x, creepage_y=patch.creepage_y, spin=patch.spin,
+                            friction=patch.friction, **material)
+
+    roll_patch_forwards(patch, solved)
+
+
+def roll_patch_forwards(patch, solved):
+    """Write what ``solved()`` finds of a patch that rolls forwards, a
+    :class:`~wrcontact.reference.rolling.extrapolation.RollingForces`, into its record.  A patch that rolls
+    backwards is meanwhile the mirror image of one that rolls forwards."""
     clear_found(patch)
     if patch.load <= 0.0 or patch.friction <= 0.0:
         return
     if patch.backwards:
         mirror_rolling(patch)
-    outline, creepage_x = outline_of_strips(patch)
-    found = roll_outline(outline, creepage_x=creepage_x, creepage_y=patch.creepage_y, spin=patch.spin,
-                         friction=patch.friction, **material)
+    found = solved()
     share_rows(patch, found)
     patch.force_x, patch.force_y, patch.moment = found.force_x, found.force_y, found.moment
     patch.stick_share, patch.max_shear = found.stick_share, found.max_shear

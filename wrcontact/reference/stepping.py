@@ -1,5 +1,6 @@
 """A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel
-is then pressed into its rail (:mod:`pressed_wheel`).  A step takes some tenths of a second."""
+is then pressed into its rail (:mod:`pressed_wheel`), and its patches roll there (:mod:`pressed_rolling`).  A
+step takes some tenths of a second, and some seconds with creep forces by the complete theory."""
 
 import math
 from functools import partial
@@ -8,6 +9,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
+from ..kernel.wheelset.creep_forces import has_creep_forces
 from ..kernel.wheelset.moving import is_rolling, write_creepages
 from ..progress import tracked
 from ..state import outline_of
@@ -15,6 +17,7 @@ from ..status import Status
 from .equilibrium import find_equilibrium, stand_of
 from .halfspace import TOLERANCE
 from .outputs import write_side
+from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, write_pressed_creep
 from .pressed_wheel import Settings, press
 from .wheel_on_rail import wheel_on_rail
 
@@ -23,10 +26,10 @@ SIDES = layout.OUT_LEFT, layout.OUT_RIGHT
 CLEAR = 1e-9
 
 
-def halfspace_solver(tolerance=None):
+def halfspace_solver(tolerance=None, poisson_ratio=None):
     """What :class:`~wrcontact.Stepper` binds its arrays with; ``tolerance`` as for
-    :class:`~wrcontact.ContactSystem`."""
-    return partial(HalfspaceSolver, TOLERANCE if tolerance is None else tolerance)
+    :class:`~wrcontact.ContactSystem`, ``poisson_ratio`` as for :class:`HalfspaceSolver`."""
+    return partial(HalfspaceSolver, TOLERANCE if tolerance is None else tolerance, poisson_ratio)
 
 
 class HalfspaceSolver:
@@ -37,15 +40,19 @@ class HalfspaceSolver:
     Parameters
     ----------
     tolerance : permitted relative error, as for :func:`~wrcontact.reference.halfspace.solve_contact`.
+    poisson_ratio : of wheel and rail, for creep forces by the complete theory; None: those by the kernel's
+        model, if the tables have one.
     tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
     """
 
-    def __init__(self, tolerance, tables, state, workspace, inputs, outputs, left=None):
+    def __init__(self, tolerance, poisson_ratio, tables, state, workspace, inputs, outputs, left=None):
         self.tolerance, self._tables, self._state, self._workspace = tolerance, tables, state, workspace
         self._sides = tables if left is None else left, tables
         self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
         self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry, left)
         self.compiled = self._kernel.compiled
+        self._creep = (KernelRolling(self._sides, workspace) if poisson_ratio is None else
+                       CompleteRolling(workspace, layout.Tables.at(tables).shear_modulus, poisson_ratio))
         self._pressed = None
         self._answer, self._status = None, None
 
@@ -95,46 +102,55 @@ class HalfspaceSolver:
         else:
             geometry = self._geometry
             wheels = [partial(self._pressed_side, index) for index in range(2)]
-        answer, total = geometry.copy(), np.zeros(6)
+        answer, total, solved = geometry.copy(), np.zeros(6), []
         for index, first in enumerate(tracked(SIDES, "half-space of one pose", alone=True)):
             side = answer[first:first + layout.SIDE_SIZE]
             if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                total += self._write(answer, index, side, wheels[index]())
+                found, force = self._write(answer, index, side, wheels[index]())
+                total += force
+                solved.append(found)
             elif not math.isfinite(side[layout.SIDE_NORMAL_FORCE]):      # this side is not wanted
                 total[:] = math.nan
-        answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
-        self._write_creepages(answer)
+        for first in (layout.OUT_FORCE, layout.OUT_NORMAL_PART):
+            answer[first:first + len(total)] = total
+        answer[layout.OUT_DRIVING_TORQUE] = 0.0 * total[0]
+        self._move(answer, solved)
         return answer, status
 
-    def _write_creepages(self, answer):
-        """Creepages at the patches' own centres of load, by the kernel's source, in whose workspace the
-        outputs stand for a moment."""
+    def _move(self, answer, solved):
+        """Creepages at the patches' own centres of load, and their creep forces, by the kernel's source, in
+        whose workspace the outputs stand for a moment."""
         work = layout.Work.at(self._workspace)
         if is_rolling(work.inputs):
-            outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + layout.OUTPUT_COUNT]
+            outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + len(answer)]
             kept = outputs.copy()
-            outputs[:] = answer[:layout.OUTPUT_COUNT]
+            outputs[:] = answer
             left, right = (layout.Tables.at(tables) for tables in self._sides)
             write_creepages(left, right, work, layout.State.at(self._state))
-            answer[:layout.OUTPUT_COUNT], outputs[:] = outputs, kept
+            if has_creep_forces(right, work):
+                for side in solved:
+                    write_pressed_creep(left if side.mirror < 0.0 else right, work, side, self._creep)
+            answer[:], outputs[:] = outputs, kept
 
     def _write(self, answer, index, side, wheel):
-        """The outputs of a pressed wheel instead of the kernel's; its part of the resultant (6,)."""
+        """The outputs of a pressed wheel instead of the kernel's; the :class:`SolvedSide`, and its part of
+        the resultant (6,)."""
         depth = side[layout.SIDE_PENETRATION]
         if self._tables[layout.SET_MODE] == layout.MODE_RIGID:
             depth = wheel.contact.penetration * math.cos(side[layout.SIDE_CONTACT_ANGLE])
         outline = outline_of(answer, SIDES[index])
         side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
         centre = self._pair(index, answer[layout.OUT_ROLL], answer[layout.OUT_VERTICAL_SHIFT]).centre
-        total = write_side(side, wheel.counted_from(self._contact(index, side)[0]), index, centre,
-                           outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
+        wheel = wheel.counted_from(self._contact(index, side)[0])
+        solved, total = write_side(side, wheel, index, centre,
+                                   outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
         side[layout.SIDE_PENETRATION] = depth
         record, (lateral, vertical) = layout.SideOutputs.at(side), self._moved(index)
         for patch in record.patch:
             if patch.normal_force > 0.0:
                 patch.y_track += lateral
                 patch.z_track += vertical
-        return total
+        return SolvedSide(wheel, solved, 2.0 * index - 1.0, self._moved(index)), total
 
     def _pair(self, index, roll, height):
         """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""

@@ -11,7 +11,7 @@ from wrcontact.interface.variables import REFERENCE, VARIABLES
 
 pytestmark = needs_compiler
 
-MODELS = ("polach", "fastsim")
+MODELS = ("polach", "fastsim", "strips")
 #: Of a derivative's size; points of FASTSIM come to slide one by one, each with a kink.
 AGREE = {"polach": 1e-4, "fastsim": 2e-2, "strips": 1e-3}
 WORDS = (".tangential.", "force.", "moment.", "friction_power", "wear_number", "driving_torque", "saturation",

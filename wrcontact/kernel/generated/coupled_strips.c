@@ -19,7 +19,10 @@ static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_d
 {
     stiffness__find_stiffnesses(work, tables, rolling);
     coupled_strips__add_strips(work, tables, rolling);
-    correction__correct_force(work, tables, rolling);
+    if (!((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BARE)) == 1.0))
+    {
+        correction__correct_force(work, tables, rolling);
+    }
     return INT64_C(0);
 }
 

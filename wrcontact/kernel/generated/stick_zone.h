@@ -35,7 +35,7 @@
 static const double stick_zone__LATER = 0.08;
 static const double stick_zone__FADE = 0.1;
 static const double stick_zone__FLOOR = 0.3;
-static const double stick_zone__FLOOR_RATIO = 6.0;
+static const double stick_zone__FLOOR_RATIO = 4.5;
 static const double stick_zone__FLOOR_TWIST = 1.5;
 static const double stick_zone__NOTHING = 1e-300;
 

@@ -10,7 +10,10 @@ static inline int64_t tangent_coupled_strips__solve_strips_t(array_double_1d wor
 {
     tangent_stiffness__find_stiffnesses_t(work, work_t, tables, rolling);
     tangent_coupled_strips__add_strips_t(work, work_t, tables, rolling);
-    tangent_correction__correct_force_t(work, work_t, tables, rolling);
+    if (!((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BARE)) == 1.0))
+    {
+        tangent_correction__correct_force_t(work, work_t, tables, rolling);
+    }
     return INT64_C(0);
 }
 

@@ -10,7 +10,6 @@
 #include "layout.h"
 
 static inline int64_t tangent_dissipation__bent_gain_t(double* gain, double* gain_t, array_double_1d work, array_double_1d work_t, int64_t rolling);
-static inline int64_t tangent_dissipation__smaller_t(double* result_0, double* result_1, double one, double one_t, double other, double other_t);
 static inline int64_t tangent_dissipation__keep_dissipating_t(array_double_1d work, array_double_1d work_t, int64_t rolling);
 
 #endif

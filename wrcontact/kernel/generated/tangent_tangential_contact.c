@@ -31,7 +31,7 @@ static inline int64_t tangent_tangential_contact__solve_tangential_t(array_doubl
         {
             tangent_polach__solve_polach_t(work, work_t, tables, rolling);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH)
+        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH) && (!((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BARE)) == 1.0)))
         {
             tangent_dissipation__keep_dissipating_t(work, work_t, rolling);
         }

@@ -35,7 +35,7 @@ static inline int64_t tangential_contact__solve_tangential(array_double_1d work,
         {
             polach__solve_polach(work, tables, rolling);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH)
+        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH) && (!((*cspan_at(&work, rolling + layout__ROLLING_PATCH_BARE)) == 1.0)))
         {
             /* Polach's formula has no moment, which belongs to the power of spin */
             dissipation__keep_dissipating(work, rolling);

@@ -175,6 +175,7 @@ class RollingPatch:
     creepage_y: float
     spin: float                     # [1/m]
     backwards: bool                 # whether it rolls towards -x
+    bare: bool                      # whether only the sum over the strips is asked for
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
     strips: RollingStrip * ROLLING_STRIP_LIMIT
     blocks: RollingBlocks

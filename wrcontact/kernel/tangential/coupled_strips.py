@@ -24,7 +24,8 @@ def solve_strips(tables: Tables, rolling: RollingPatch):
     """Force, moment, stick share and largest traction of a patch."""
     find_stiffnesses(tables, rolling)
     add_strips(tables, rolling)
-    correct_force(tables, rolling)
+    if not rolling.bare:
+        correct_force(tables, rolling)
     return 0
 
 

@@ -1,33 +1,32 @@
-"""Friction takes power: what a model would give back is taken out of its result.
+"""Friction takes power: where a model would give some back, its moment is changed.
 
 In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
 
     P = -(xi F_x + eta F_y + phi M + sum_i (w_i - xi + phi y_i) F_x,i)                             (W1)
 
 with the longitudinal creepages w_i of the strips.  The complete theory has P >= 0, and so have the models
-almost everywhere: in one of some thousand cases, with spin and long patches, P is a little below zero.  There
-the moment is reduced, as far as it drives, and then the force along the slip.  Neither becomes larger, and
-both stay continuous.
+almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment makes P
+negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
 """
 
 from ..layout import RollingPatch
 
 
 def keep_dissipating(rolling: RollingPatch):
-    """Take what would be a gain of power, eq. (W1), out of moment and force."""
-    x = rolling.creepage_x
-    y = rolling.creepage_y
-    sliding = x * rolling.force_x + y * rolling.force_y
-    turning = rolling.spin * rolling.moment
-    gain = sliding + turning + bent_gain(rolling)
-    if gain > 0.0 and turning > 0.0:
-        less = smaller(turning, gain)
-        rolling.moment *= (turning - less) / turning
-        gain -= less
-    if gain > 0.0 and sliding > 0.0:
-        share = smaller(sliding, gain) / (x * x + y * y)
-        rolling.force_x -= share * x
-        rolling.force_y -= share * y
+    """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has."""
+    gain = (rolling.creepage_x * rolling.force_x + rolling.creepage_y * rolling.force_y
+            + rolling.spin * rolling.moment + bent_gain(rolling))
+    if gain > 0.0 and rolling.spin != 0.0:
+        reach = rolling.half_length
+        if reach < rolling.half_width:
+            reach = rolling.half_width
+        most = rolling.friction * rolling.load * reach
+        moment = rolling.moment - gain / rolling.spin
+        if moment > most:
+            moment = most
+        if moment < -most:
+            moment = -most
+        rolling.moment = moment
     return 0
 
 
@@ -39,10 +38,3 @@ def bent_gain(rolling: RollingPatch):
         plane = rolling.creepage_x - rolling.spin * strip.y
         gain += (strip.slip - plane) * strip.force_x * strip.width
     return gain
-
-
-def smaller(one: float, other: float):
-    """The smaller of both."""
-    if other < one:
-        one = other
-    return one

@@ -35,7 +35,7 @@ LATER: Final[float] = 0.08
 FADE: Final[float] = 0.1
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
 FLOOR: Final[float] = 0.3
-FLOOR_RATIO: Final[float] = 6.0
+FLOOR_RATIO: Final[float] = 4.5
 FLOOR_TWIST: Final[float] = 1.5
 #: In place of no slip at all.
 NOTHING: Final[float] = 1e-300

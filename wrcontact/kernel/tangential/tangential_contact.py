@@ -33,7 +33,7 @@ def solve_tangential(tables: Tables, rolling: RollingPatch):
             solve_fastrip(tables, rolling)
         elif tables.tangential == TANGENTIAL_POLACH:
             solve_polach(tables, rolling)
-        if tables.tangential != TANGENTIAL_POLACH:
+        if tables.tangential != TANGENTIAL_POLACH and not rolling.bare:
             # Polach's formula has no moment, which belongs to the power of spin
             keep_dissipating(rolling)
         if rolling.backwards:

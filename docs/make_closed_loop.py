@@ -1,0 +1,144 @@
+"""Measure the closed loop anew and write its tables and pictures into docs/closed_loop.md and docs/img.
+
+    python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master]
+                                    [manchester]
+
+Without names it does all of them, which takes a quarter of an hour.  It needs libcosimpy for "master".
+"""
+
+import re
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT))
+
+import wrcontact  # noqa: E402
+from examples.hunting_wheelset import coupling, curve_entry, energy, hunting, long_run, structure  # noqa: E402
+from examples.hunting_wheelset.stability import Linear  # noqa: E402
+from tests.friction import test_manchester_creep as benchmark  # noqa: E402
+from tests.helpers import hunting_theory as theory  # noqa: E402
+from tests.loop import test_hunting as compared  # noqa: E402
+from wrcontact.plots.style import save  # noqa: E402
+
+PAGE, IMAGES = ROOT / "docs" / "closed_loop.md", ROOT / "docs" / "img"
+MODELS = ("strips", "fastsim", "fastrip", "polach")
+
+
+def table(head, rows):
+    """Lines of a Markdown table; the first column is text."""
+    return [f"| {' | '.join(head)} |", "| --- |" + " ---: |" * (len(head) - 1),
+            *(f"| {' | '.join(row)} |" for row in rows)]
+
+
+def klingel(archives):
+    rows = []
+    for name, case in hunting.KLINGEL.items():
+        wave, amplitude, rolled, plain, run = hunting.klingel(archives, *case)
+        rows.append([name, f"{amplitude * 1e3:.2f}", f"{wave:.3f}", f"{plain:.3f}", f"{rolled:.3f}",
+                     f"{100 * (wave / rolled - 1):+.2f}", str(run.worst_status)])
+    return table(["wheels", "amplitude [mm]", "measured [m]", "Klingel [m]", "with roll [m]",
+                  "difference [%]", "status"], rows)
+
+
+def critical(archives):
+    model = compared.theory_of_cones()
+    rows = []
+    with Linear(archives, hunting.SUSPENSION, compared.LINEAR, compared.FRICTION) as linear:
+        for speed in (20.0, 40.0, 60.0, 80.0):
+            found, wanted = linear.root(speed), theory.hunting_root(theory.state_matrix(model, speed))
+            rows.append([f"{speed:g}", f"{found.real:+.4f}", f"{wanted.real:+.4f}", f"{found.imag:.3f}",
+                         f"{wanted.imag:.3f}"])
+        speeds = linear.critical_speed(30.0, 100.0), theory.critical_speed(model, 30.0, 100.0)
+    return [*table(["speed [m/s]", "growth [1/s]", "theory", "frequency [rad/s]", "theory"], rows), "",
+            f"Critical speed: {speeds[0]:.2f} m/s, by the theory {speeds[1]:.2f} m/s, "
+            f"{100 * abs(speeds[0] / speeds[1] - 1):.2f} % apart."]
+
+
+def hunts(archives):
+    found = hunting.cycles(archives)
+    with Linear(archives, hunting.SOFT) as linear:
+        speed = linear.critical_speed(20.0, 80.0)
+        save(hunting.draw(linear, found), IMAGES / "hunting.png")
+    rows = [[f"from {start * 1e3:g} mm", *(f"{amplitude * 1e3:.2f}" for _, amplitude in row)]
+            for start, row in found.items()]
+    worst = max(run.worst_status for row in found.values() for run, _ in row)
+    return [*table(["amplitude [mm]", *(f"{speed:g} m/s" for speed in hunting.SPEEDS)], rows), "",
+            f"Critical speed {speed:.1f} m/s; largest status of all runs {worst}."]
+
+
+def energies(archives):
+    found = [energy.study(archives, derivatives) for derivatives in (False, True)]
+    rows = []
+    for place, step in enumerate(energy.STEPS):
+        cells = [f"{step * 1e3:g}"]
+        for errors, _, _ in found:
+            order = f"{energy.orders(errors)[place - 1]:.2f}" if place else ""
+            cells += [f"{errors[place]:+.2e}", order]
+        rows.append(cells)
+    return [*table(["step [ms]", "explicit [J]", "order", "with derivatives [J]", "order"], rows), "",
+            f"Of {found[0][1]:.3g} J that the contact exchanges with the wheelset in {energy.DURATION:g} s. "
+            f"Largest status {max(worst for _, _, worst in found)}."]
+
+
+def curve(archives):
+    run = curve_entry.enter(archives)
+    save(curve_entry.draw(run), IMAGES / "curve_entry.png")
+    still = curve_entry.equilibrium(wrcontact.ContactSystem(**coupling.CONTACT), curve_entry.WHEELSET,
+                                    run.motion[-1])
+    rows = [[name, f"{1e3 * run.motion[-1][place]:.6f}", f"{1e3 * still[place]:.6f}"] for name, place in
+            (("lateral shift [mm]", 0), ("vertical shift [mm]", 1), ("roll [mrad]", 2), ("yaw [mrad]", 3))]
+    ratio = abs(run["left.force.y"][-1] / run["left.force.z"][-1])
+    angle = run["left.patch[1].contact_angle"][-1]
+    return [*table(["", "end of the run", "equilibrium"], rows), "",
+            f"The outer wheel carries at {angle:.2f} rad and has Y/Q = {ratio:.2f}; largest status "
+            f"{run.worst_status}."]
+
+
+def long(archives):
+    return [long_run.report(long_run.hunt(archives), long_run.STEPS) + "."]
+
+
+def master(archives):
+    theirs, mine, worst, _ = structure.compare(archives[1].parent, archives)
+    rows = [[f"`{name}`", f"{np.abs(column).max():.3g}", f"{np.abs(column - other).max():.1e}"]
+            for name, column, other in zip(structure.MOTION, theirs.T, mine.T)]
+    return [*table(["output, SI", "largest", "libcosim against fmpy"], rows), "",
+            f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}."]
+
+
+def manchester(archives):
+    """Errors of all models beside CONTACT's forces, by CONTACT's CSV."""
+    rows = []
+    for row in benchmark.rows():
+        errors = [100 * benchmark.error(row, benchmark.wheel(row, model)) for model in MODELS]
+        rows.append([f"{row['side']}, {row['lateral_shift_mm']:g} mm", f"{-row['Fx_N']:.0f}",
+                     f"{row['Fs_N']:.0f}", *(f"{error:.2f}" for error in errors)])
+    means = np.mean([[float(cell) for cell in row[3:]] for row in rows], axis=0)
+    rows.append(["mean", "", "", *(f"{mean:.2f}" for mean in means)])
+    return table(["wheel", "along [N]", "across [N]", *(f"`{model}` [% of μN]" for model in MODELS)], rows)
+
+
+PARTS = {"klingel": klingel, "critical": critical, "hunting": hunts, "energy": energies, "curve": curve,
+         "long": long, "master": master, "manchester": manchester}
+
+
+def write(name, lines):
+    """Put ``lines`` between the marks of this part in the page."""
+    begin, end = f"<!-- python docs/make_closed_loop.py {name} -->", f"<!-- end: {name} -->"
+    text = PAGE.read_text(encoding="utf-8")
+    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
+    if not pattern.search(text):
+        raise ValueError(f"{PAGE.name} has no part {name}")
+    PAGE.write_text(pattern.sub(lambda _: "\n".join([begin, *lines, end]), text), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    with TemporaryDirectory() as folder:
+        archives = coupling.build(folder)
+        for name in sys.argv[1:] or PARTS:
+            write(name, PARTS[name](archives))
+            print(f"{PAGE.name}: {name}", flush=True)

@@ -1,0 +1,60 @@
+"""The closed loop as an SSP: its description, and the same bits but for rounding by an independent master."""
+
+import json
+import subprocess
+import sys
+import zipfile
+
+import numpy as np
+from fmpy import read_model_description
+from fmpy.ssp.ssd import read_ssd
+
+from examples.hunting_wheelset.structure import EXAMPLE, settings, write_ssp
+from tests.fmu.test_importers import needs
+from tests.helpers.paths import ROOT
+
+#: In a process of its own, which libcosim may end.
+PROGRAM = """
+import json, os, sys
+from pathlib import Path
+from examples.hunting_wheelset.structure import compare
+folder, *archives = map(Path, sys.argv[1:])
+theirs, mine, worst, _ = compare(folder, archives, count=2000)
+print("\\n" + json.dumps([theirs.tolist(), mine.tolist(), worst]), flush=True)
+os._exit(0)
+"""
+
+
+def test_description(archives, tmp_path):
+    """fmpy reads it by the standard's schema; every input that the wheelset's motion or the contact's forces
+    give is connected once, and connectors are variables of the FMUs with the same causality."""
+    ssp = write_ssp(tmp_path / "loop.ssp", archives, *settings(archives, EXAMPLE))
+    system = read_ssd(str(ssp)).system
+    with zipfile.ZipFile(ssp) as archive:
+        archive.extractall(tmp_path / "unpacked")
+    variables = {}
+    for part in system.elements:
+        found = read_model_description(str(tmp_path / "unpacked" / part.source)).modelVariables
+        variables[part.name] = {v.name: v.causality for v in found}
+        for connector in part.connectors:
+            assert variables[part.name][connector.name] == connector.kind
+    ends = [(c.endElement, c.endConnector) for c in system.connections]
+    assert len(set(ends)) == len(ends) == 17
+    for connection in system.connections:
+        assert variables[connection.startElement][connection.startConnector] == "output"
+        assert variables[connection.endElement][connection.endConnector] == "input"
+
+
+@needs("libcosimpy")
+def test_libcosim(archives, tmp_path):
+    """2000 steps by libcosim and by fmpy in the same order; both compute with the same libraries, so that no
+    more than rounding differs."""
+    done = subprocess.run([sys.executable, "-c", PROGRAM, str(tmp_path), *map(str, archives)], text=True,
+                          cwd=ROOT, capture_output=True, timeout=300)
+    assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
+    theirs, mine, worst = json.loads(done.stdout.strip().splitlines()[-1])
+    assert worst == 0
+    theirs, mine = np.array(theirs), np.array(mine)
+    size = np.abs(mine).max(axis=0)
+    assert np.all(size[[0, 3]] > 1e-4)          # it moves
+    np.testing.assert_array_less(np.abs(theirs - mine).max(axis=0), 1e-10 * np.maximum(size, 1e-3))

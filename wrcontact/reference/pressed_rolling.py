@@ -1,0 +1,216 @@
+"""Creep forces of a pressed wheel: its patches roll with the pressures that the half-space has found.
+
+Patches are cut into strips as those of the kernel's models are.  Either a model of the kernel finds their
+creep forces, or the complete theory does (wrcontact/reference/rolling), with the pressures of the cells.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from ..kernel import layout
+from ..kernel.binding.library import default_kernel
+from ..kernel.motion.creepage import STANDSTILL, patch_speed, rolling_velocity, velocity_along
+from ..kernel.tangential.sections import cut_patch
+from ..kernel.wheelset.creep_forces import open_rolling, write_side_wear
+from .edge import EDGE_PAD, edge_field, extent
+from .outputs import split_patches
+from .pressed_wheel import PressedWheel
+from .rolling.contact import rolling_contact
+from .rolling.extrapolation import COARSE_CELLS, extrapolated
+from .rolling.pressure import PressureField
+from .rolling_step import roll_patch_forwards, roll_strips, write_force
+
+#: A patch with fewer cells than this in either direction rolls as an outline of strips instead: the edge
+#: within its cells is not known well.
+LEAST_CELLS = 12
+#: Points of each cell, each way, at which its pressure is taken.
+POINTS = 8
+
+
+@dataclass(frozen=True)
+class SolvedSide:
+    """A pressed wheel of a wheelset.
+
+    Attributes
+    ----------
+    wheel : its stations are counted from the contact point.
+    solved : the record :class:`~wrcontact.kernel.layout.SolvedPatches` of its patches.
+    mirror : 1 on the right, -1 on the left.
+    moved : displacement of the rail to the right and down [m].
+    """
+
+    wheel: PressedWheel
+    solved: layout.SolvedPatches
+    mirror: float
+    moved: np.ndarray
+
+    def ranked(self, number):
+        """The record :class:`~wrcontact.kernel.layout.SolvedPatch` of the patch ``number`` by falling load,
+        from 0."""
+        return next(patch for patch in self.solved.patches if patch.rank == number + 1)
+
+    def place(self, x, station):
+        """Track coordinates y, z [m] of the place x, ``station`` [m], and the wheel's rolling radius there
+        [m]."""
+        surfaces = self.wheel.surfaces
+        place = surfaces.place(x, station)
+        radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
+        return self.mirror * place[1] + self.moved[0], place[2] + self.moved[1], radius
+
+    def slip(self, motion, speed, x, station):
+        """Longitudinal creepage [1] at x, ``station`` [m], with the rolling ``speed`` [m/s]."""
+        y, z, radius = self.place(x, station)
+        y, z = y - motion.centre_y, z - motion.centre_z
+        return velocity_along(motion, y, z, rolling_velocity(motion, x, y, z, radius)[0]) / speed
+
+
+def write_pressed_creep(tables, work, side, find):
+    """Creep forces of the patches of a pressed wheel, whose creepages are known, into the outputs in the
+    workspace, as :func:`~wrcontact.kernel.wheelset.creep_forces.write_side_creep` does.
+
+    Parameters
+    ----------
+    tables, work : records of the kernel.
+    side : :class:`SolvedSide`.
+    find : called with the side, the number of a patch by falling load and its
+        :class:`~wrcontact.kernel.layout.RollingPatch`, into which it writes what it finds.
+    """
+    index = 0 if side.mirror < 0.0 else 1
+    rolling, outputs = work.rolling_sides[index], work.outputs.left[index]
+    cut_patches(side, rolling)
+    friction = work.inputs.left_friction if index == 0 else work.inputs.right_friction
+    for number in range(rolling.count):
+        patch, to = rolling.patches[number], outputs.patch[number]
+        if patch_speed(work.motion, to) > STANDSTILL:
+            open_rolling(tables, work.motion, patch, to, side.mirror, friction)
+            find(side, number, patch)
+            write_force(work, index, patch, to)
+    write_side_wear(tables, work, index)
+
+
+def cut_patches(side, rolling):
+    """Cut the heaviest patches into the strips of ``rolling``, a
+    :class:`~wrcontact.kernel.layout.RollingSide`."""
+    rolling.count = min(side.solved.count, layout.PATCH_LIMIT)
+    for index in range(side.solved.count):
+        solved = side.solved.patches[index]
+        if solved.rank <= layout.PATCH_LIMIT:
+            patch = rolling.patches[solved.rank - 1]
+            cut_patch(side.solved, index, patch)
+            nodes = [side.solved.strips[k] for k in range(solved.first, solved.last + 1)]
+            station, x = np.array([(node.station, node.x) for node in nodes]).T
+            for strip in patch.strips[:patch.count]:
+                middle = float(np.interp(strip.station, station, x))
+                strip.x = middle - solved.x
+                strip.y_track, strip.z_track, strip.rolling_radius = side.place(middle, strip.station)
+
+
+class KernelRolling:
+    """Creep forces of pressed wheels by the kernel's model.
+
+    Parameters
+    ----------
+    sides : tables of the left and the right side.
+    workspace : whose patch by itself is used.
+    """
+
+    def __init__(self, sides, workspace):
+        self._sides, self._workspace = sides, workspace
+
+    def __call__(self, side, number, patch):
+        work = layout.Work.at(self._workspace)
+        work.rolling = patch
+        default_kernel().solve_tangential(self._sides[0 if side.mirror < 0.0 else 1], self._workspace)
+        found = layout.RollingPatch.from_buffer_copy(work.rolling)
+        for name in ("force_x", "force_y", "moment", "stick_share", "max_shear", "strips"):
+            setattr(patch, name, getattr(found, name))
+
+
+class CompleteRolling:
+    """Creep forces of pressed wheels by the complete theory.
+
+    Parameters
+    ----------
+    workspace : with the motion.
+    shear_modulus, poisson_ratio : of wheel and rail [Pa], [1].
+    """
+
+    def __init__(self, workspace, shear_modulus, poisson_ratio):
+        self._workspace = workspace
+        self._material = {"shear_modulus": shear_modulus, "poisson_ratio": poisson_ratio}
+
+    def __call__(self, side, number, patch):
+        fields = patch_fields(side, number)
+        if fields is None:
+            roll_strips(patch, **self._material)
+            return
+        motion = layout.Work.at(self._workspace).motion
+        slips = [row_slips(motion, side, number, patch, field) for field in fields]
+        roll_patch_forwards(patch, lambda: roll_fields(patch, fields, slips, **self._material))
+
+
+def patch_fields(side, number):
+    """Pressures of the patch ``number`` by falling load on 24 and on 48 cells each way that just hold it,
+    about its centre of load: two :class:`~wrcontact.reference.rolling.pressure.PressureField`; None where the
+    cells of its normal contact are few, or not even.
+
+    Squares of pressures follow straight lines between the cells, to zero at the edge found within them.
+    """
+    contact, solved = side.wheel.contact, side.ranked(number)
+    pressure = split_patches(contact)[number]
+    loaded = [np.flatnonzero(pressure.any(axis=axis)) for axis in (1, 0)]
+    if min(len(places) for places in loaded) < LEAST_CELLS:
+        return None
+    middles = [each[places[0]:places[-1] + 1] for each, places in zip((contact.x, contact.s), loaded)]
+    if any(np.ptp(np.diff(each)) > 1e-6 * (each[1] - each[0]) for each in middles):
+        return None
+    edge = edge_field(pressure[np.ix_(*(np.arange(places[0], places[-1] + 1) for places in loaded))])
+    origin = solved.x, solved.totals.centroid
+    return [sampled(edge, [each - start for each, start in zip(middles, origin)], cells)
+            for cells in (COARSE_CELLS, 2 * COARSE_CELLS)]
+
+
+def sampled(edge, middles, cells):
+    """A :class:`~wrcontact.reference.rolling.pressure.PressureField` of so many ``cells`` each way that just
+    holds a patch, from its :func:`~wrcontact.reference.edge.edge_field` and the ``middles`` of the cells that
+    this is made from, along x and across [m]."""
+    places, found = [], []
+    for one, field in zip(middles, (edge.T, edge)):
+        low, high = extent(field)
+        size = (high - low) / cells
+        places.append(EDGE_PAD + low + size / POINTS * (np.arange(cells * POINTS) + 0.5))
+        found.append(one[0] + (one[1] - one[0]) * (low + size * (np.arange(cells) + 0.5)))
+    square = ndimage.map_coordinates(edge, np.meshgrid(*places, indexing="ij"), order=1).T
+    shares = [np.sqrt(np.maximum(square, 0.0)), (square > 0.0).astype(float)]
+    return PressureField(*found, *(each.reshape(cells, POINTS, cells, POINTS).mean(axis=(1, 3))
+                                   for each in shares))
+
+
+def row_slips(motion, side, number, patch, field):
+    """Longitudinal creepage of each row of a ``field`` about the centre of load, whose rolling radius is its
+    own, (ny,); reduced as the other creepages of the patch are on wet rails."""
+    solved = side.ranked(number)
+    load = field.pressure.sum(axis=1)
+    x = np.divide(field.pressure @ field.x, load, out=np.zeros(len(load)), where=load > 0.0)
+    slip = np.array([side.slip(motion, patch.speed, solved.x + ahead, solved.totals.centroid + y)
+                     for ahead, y in zip(x, field.y)])
+    strips = np.array([(side.slip(motion, patch.speed, solved.x + strip.x, strip.station), strip.slip)
+                       for strip in patch.strips])
+    return slip * np.abs(strips[:, 1]).sum() / np.abs(strips[:, 0]).sum()
+
+
+def roll_fields(patch, fields, slips, **material):
+    """:class:`~wrcontact.reference.rolling.extrapolation.RollingForces` of a patch that rolls forwards, on
+    the pressures of a coarse and a fine grid with the ``slips`` of their rows."""
+    found, solution = [], None
+    for field, slip in zip(fields, slips):
+        if patch.backwards:
+            field = PressureField(-field.x[::-1], field.y, field.pressure[:, ::-1], field.cover[:, ::-1])
+            slip = -slip
+        solution = rolling_contact(field.scaled(patch.load), creepage_x=slip + patch.spin * field.y,
+                                   creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction,
+                                   start=solution, **material)
+        found.append(solution)
+    return extrapolated(*found)
