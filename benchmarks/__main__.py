@@ -17,7 +17,7 @@ from pathlib import Path
 from wrcontact.plots import style
 from wrcontact.progress import tracked
 
-from . import pages, parts, picture, random_poses, rows, store
+from . import pages, parts, picture, random_poses, rows, store, tangential_picture
 from .tables import TABLES, random_table, written
 
 QUICK_RANDOM = 4
@@ -32,6 +32,8 @@ def main(arguments=None):
     if options.write:
         parts.write([] if options.render else names, rows.FULL)
         style.save(picture.figure(picture.stored_points()), store.ROOT / picture.PATH)
+        style.save(tangential_picture.figure(*tangential_picture.stored()),
+                   store.ROOT / tangential_picture.PATH)
         for page in pages.write():
             print(page, file=sys.stderr)
         return
@@ -51,7 +53,7 @@ def parsed(arguments):
                         help=f"{', '.join(parts.KINDS)}, or: {', '.join(parts.PARTS)}")
     parser.add_argument("--write", action="store_true",
                         help="keep what is measured in benchmarks/measured, and write the tables of all "
-                        "pages and the picture from what is kept")
+                        "pages and the pictures from what is kept")
     parser.add_argument("--render", action="store_true", help="with --write: without measuring anything")
     parser.add_argument("--quick", action="store_true",
                         help="few poses and rounds, to test that everything runs; nothing is kept")

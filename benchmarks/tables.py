@@ -4,7 +4,7 @@ commit they are and how they were measured."""
 from collections.abc import Callable
 from typing import NamedTuple
 
-from . import conformal, conicity, rows
+from . import conformal, conicity, rows, tangential_tables
 from .counts import COUNTS, FULL_RASTER
 from .elastic_study import MODES, NEAR
 from .machine import UNIT
@@ -288,6 +288,11 @@ TABLES = {
     "tolerances": Table(BENCHMARKS, ("tolerances",), tolerance_table, ERRORS),
     "random": Table(BENCHMARKS, ("random_poses",), random_table),
     "zones": Table(BENCHMARKS, ("zones",), zone_table, ERRORS),
+    "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.force_table),
+    "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.moment_table),
+    "creep_times": Table(BENCHMARKS, ("tangential_times",), tangential_tables.time_table),
+    "creep_models": Table(README, ("tangential_errors", "tangential_times"), tangential_tables.model_table,
+                          tangential_tables.NOTE),
     "curvature": Table(METHOD, ("curvature",), curvature_table, ERRORS),
     "choices": Table(METHOD, ("choices",), choice_table, f"Changes in {TRIPLE}."),
     "manchester": Table(METHOD, ("manchester",), manchester_table),

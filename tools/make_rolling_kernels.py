@@ -17,10 +17,10 @@ import numpy as np
 
 os.environ["WRCONTACT_KERNEL"] = "python"       # the factors do not depend on what is compiled
 
+from wrcontact.creep.elliptic_nodes import strip_coefficients  # noqa: E402
 from wrcontact.kernel import layout  # noqa: E402
 from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table  # noqa: E402
 from wrcontact.kernel.prepare import fixed  # noqa: E402
-from wrcontact.kernel.tangential import sections, stiffness  # noqa: E402
 
 GAUSS = np.polynomial.legendre.leggauss(24)
 DIGITS = 12
@@ -57,23 +57,6 @@ def reach(eta):
 def reaches():
     """The numbers ``reaches`` of the file (4, 2, n)."""
     return np.moveaxis([reach(eta) for eta in np.exp(reach_table.reach_nodes())], 0, -1)
-
-
-def strip_coefficients(tables, work, ratio):
-    """C11, C22, C23 (3,) of an ellipse by the kernel's strips: G, length and width are 1."""
-    rolling, solved = work.rolling, work.contact.solved
-    totals = solved.patches[0].totals
-    solved.patches[0].rule = layout.RULE_ELLIPSE
-    half_width = ratio**-0.5
-    totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
-    totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
-    sections.cut_patch(solved, 0, rolling)
-    rolling.half_length, rolling.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
-    stiffness.find_stiffnesses(tables, rolling)
-    a, h, along, across, turning = np.array([[block.half_length, block.stop - block.start, block.along,
-                                              block.across, block.turning] for block in rolling.blocks]).T
-    return np.array([np.pi * (along * a * h).sum(), np.pi * (across * a * h).sum(),
-                     0.5 * np.pi * (turning * a**2 * h).sum()])
 
 
 def factors(found):

@@ -79,5 +79,3 @@ def test_backwards_is_the_mirror_image():
 def test_what_it_does_not_know():
     with pytest.raises(ValueError, match="load is 'vertical'"):
         wrcontact.ContactSystem(tangential_model="halfspace", load="vertical")
-    with pytest.raises(ValueError, match="tangential_model is 'strips'"):
-        wrcontact.ContactSystem(normal_model="halfspace", tangential_model="strips")

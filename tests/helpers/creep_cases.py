@@ -10,6 +10,7 @@ import numpy as np
 
 from wrcontact.creep import elliptic_patch, forces, outlined_patch
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding.kalker_table import kalker_coefficients
 from wrcontact.methods import NUMBERS
 
 CREEP = Path(__file__).parents[1] / "reference" / "creep"
@@ -178,3 +179,41 @@ def errors(model, name):
 def summary(values):
     """Mean, 95 % quantile and largest."""
     return float(np.mean(values)), float(np.percentile(values, 95)), float(np.max(values))
+
+
+def full_slip(patch, friction):
+    """Creepages xi, eta [-] and phi [1/m] (3,) at which linear theory has the force of full slip, for the
+    ellipse with the patch's ends and its longest strip; and that force [N] and sqrt(ab) [m]."""
+    a, b = patch.half_length.max(), 0.5 * np.ptp(patch.station)
+    bound = friction * patch.normal_force
+    shear_modulus = patch.youngs_modulus / (2.0 * (1.0 + patch.poisson_ratio))
+    scale = bound / (shear_modulus * a * b) / kalker_coefficients(a / b, patch.poisson_ratio)[:, 0]
+    return scale / np.array([1.0, 1.0, np.sqrt(a * b)]), bound, np.sqrt(a * b)
+
+
+def vector(rolling):
+    """Force and moment (3,) that were found."""
+    return np.array([rolling.force_x, rolling.force_y, rolling.moment])
+
+
+def all_shapes():
+    """Some patches of every kind: ellipses from short to long, patches of the strip model, CONTACT's."""
+    ellipses = [elliptic_patch(5e-3 * ratio**0.5, 5e-3 * ratio**-0.5, 8e4)
+                for ratio in (0.05, 0.25, 1.0, 3.5, 20.0, 40.0)]
+    outlined = list({id(case.parts[0]): case.parts[0] for case in cases("patches")}.values())
+    gridded = list({id(part): part for case in cases("contact_patches") for part in case.parts}.values())
+    return ellipses + outlined[::2] + gridded[::2]
+
+
+def random_patch(rng):
+    """An ellipse or a jagged outline of any size."""
+    if rng.random() < 0.5:
+        ratio, size = np.exp(rng.uniform(np.log(0.02), np.log(80.0))), 10.0 ** rng.uniform(-4.0, -1.7)
+        return elliptic_patch(size * ratio**0.5, size * ratio**-0.5, 10.0 ** rng.uniform(0.0, 5.3),
+                              poisson_ratio=rng.choice([0.0, 0.1, 0.25, 0.28, 0.3, 0.5]))
+    count = rng.integers(4, 60)
+    station = np.cumsum(rng.uniform(0.05, 1.0, count)) * 10.0 ** rng.uniform(-5.0, -3.0)
+    shape = rng.uniform(0.01, 1.0, count) ** rng.choice([0.2, 1.0, 3.0])
+    half_length = 10.0 ** rng.uniform(-4.0, -2.0) * shape
+    return outlined_patch(station, half_length, 1e9 * rng.uniform(0.01, 1.0, count),
+                          slant=rng.choice([0.0, 0.0, 0.3, -1.0]))

@@ -1,4 +1,5 @@
-"""The nodes at which exact forces of ellipses are stored, and what the kernel's strips give there."""
+"""Ellipses by the kernel's strips: what they give at the nodes at which exact forces are stored, and how
+stiff they are."""
 
 from functools import lru_cache
 from pathlib import Path
@@ -9,6 +10,7 @@ from ..kernel import layout
 from ..kernel.binding.reach_table import stored
 from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
 from ..kernel.prepare import fixed
+from ..kernel.tangential import sections, stiffness
 from .forces import roll
 from .patch import elliptic_patch
 
@@ -60,6 +62,24 @@ def strip_forces(exact, nu):
             roll(patch, tables, workspace)
             found[(k, *place)] = rolling.force_x, rolling.force_y, rolling.moment / MEAN_AXIS
     return found / bound
+
+
+def strip_coefficients(tables, work, ratio):
+    """C11, C22, C23 (3,) of an ellipse with this a/b by the kernel's strips, on records Tables with a shear
+    modulus of 1 Pa and Work."""
+    rolling, solved = work.rolling, work.contact.solved
+    totals = solved.patches[0].totals
+    solved.patches[0].rule = layout.RULE_ELLIPSE
+    half_width = ratio**-0.5
+    totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
+    totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
+    sections.cut_patch(solved, 0, rolling)
+    rolling.half_length, rolling.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
+    stiffness.find_stiffnesses(tables, rolling)
+    a, h, along, across, turning = np.array([[block.half_length, block.stop - block.start, block.along,
+                                              block.across, block.turning] for block in rolling.blocks]).T
+    return np.array([np.pi * (along * a * h).sum(), np.pi * (across * a * h).sum(),
+                     0.5 * np.pi * (turning * a**2 * h).sum()])
 
 
 def corrections(folder=EXACT):

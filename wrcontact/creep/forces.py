@@ -12,6 +12,7 @@ from ..kernel.binding.library import default_kernel
 from ..kernel.prepare import fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
 from .checks import check_number
+from .patch import CreepPatch
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,9 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
     ValueError
         where a number is out of its range or a model is unknown, in a sentence.
     """
+    if not isinstance(patch, CreepPatch):
+        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a CreepPatch, as elliptic_patch "
+                        "makes one")
     for name, value, unit, high in (("creepage_x", creepage_x, "", 1e6), ("creepage_y", creepage_y, "", 1e6),
                                     ("spin", spin, "1/m", 1e9)):
         check_number(name, value, unit, -high, high)

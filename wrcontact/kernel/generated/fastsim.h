@@ -11,7 +11,8 @@
  * from zero at the leading edge, cut to the bound.  a, b and the coefficients are those of the ellipse with the
  * patch's area and length over width.  As published, -phi y has the flexibility L3; with L1, which is that of
  * all longitudinal creepage, the force is closer to the complete theory.  The bound is that of the pressure,
- * mu p0 sqrt(1 - (x/a)^2).
+ * mu p0 sqrt(1 - (x/a)^2).  Where L1 and L2 differ, the force of full slip does not point quite against the
+ * slip: up to 10 degrees.
  */
 
 #ifndef WRCONTACT_KERNEL_FASTSIM_H

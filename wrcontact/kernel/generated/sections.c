@@ -28,13 +28,16 @@ static inline int64_t sections__cut_patch(array_double_1d work, int64_t index, i
     (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
     sections__describe_ellipse(work, totals, rolling);
     sections__lay_strips(work, rolling, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
-    if ((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
-        sections__cut_ellipse(work, totals, rolling);
-    }
-    else
-    {
-        sections__cut_strips(work, patch, rolling);
+        if ((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+        {
+            sections__cut_ellipse(work, totals, rolling);
+        }
+        else
+        {
+            sections__cut_strips(work, patch, rolling);
+        }
     }
     sections__finish_strips(work, rolling, (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)), (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)));
     sections__plane_slips(work, rolling);

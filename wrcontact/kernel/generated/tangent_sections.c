@@ -16,13 +16,16 @@ static inline int64_t tangent_sections__cut_patch_t(array_double_1d work, array_
     (*cspan_at(&work, rolling + layout__ROLLING_PATCH_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
     tangent_sections__describe_ellipse_t(work, work_t, totals, rolling);
     tangent_sections__lay_strips_t(work, work_t, rolling, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
-    if ((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
-        tangent_sections__cut_ellipse_t(work, work_t, totals, rolling);
-    }
-    else
-    {
-        tangent_sections__cut_strips_t(work, work_t, patch, rolling);
+        if ((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+        {
+            tangent_sections__cut_ellipse_t(work, work_t, totals, rolling);
+        }
+        else
+        {
+            tangent_sections__cut_strips_t(work, work_t, patch, rolling);
+        }
     }
     tangent_sections__finish_strips_t(work, work_t, rolling, (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)), (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)), (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_SLANT)));
     tangent_sections__plane_slips_t(work, work_t, rolling);

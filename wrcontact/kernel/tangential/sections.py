@@ -40,10 +40,11 @@ def cut_patch(solved: SolvedPatches, index: int, rolling: RollingPatch):
     rolling.load = totals.load
     describe_ellipse(totals, rolling)
     lay_strips(rolling, totals.start, totals.stop)
-    if patch.rule == RULE_ELLIPSE:
-        cut_ellipse(totals, rolling)
-    else:
-        cut_strips(patch, solved.strips, rolling)
+    if totals.width > 0.0:
+        if patch.rule == RULE_ELLIPSE:
+            cut_ellipse(totals, rolling)
+        else:
+            cut_strips(patch, solved.strips, rolling)
     finish_strips(rolling, totals.centroid, patch.slant)
     plane_slips(rolling)
     return 0

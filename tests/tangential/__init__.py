@@ -1,0 +1,1 @@
+"""Models of creep forces in the kernel."""

@@ -1,0 +1,124 @@
+"""Stored numbers of the models, against integrals and tables of others."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy import integrate
+
+from tests.helpers.creep_cases import CREEP
+from wrcontact.creep import elliptic_nodes
+from wrcontact.kernel import layout
+from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table
+from wrcontact.kernel.binding.fixed_tables import fixed_tables
+from wrcontact.kernel.prepare import fixed
+from wrcontact.kernel.tangential import shapes, stiffness
+
+
+def kernel_table(nu):
+    """The kernel's record RollingTable for a Poisson's ratio."""
+    array = np.zeros(layout.SETTING_COUNT + layout.ROLLING_TABLE_SIZE)
+    tables = layout.Tables.at(array)
+    tables.rolling = layout.SETTING_COUNT
+    fixed.append_rolling(tables, layout.SETTING_COUNT, memoryview(fixed_tables()), nu)
+    return tables
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.25, 0.5])
+def test_kalkers_coefficients_are_those_of_his_table(nu):
+    """At its nodes, and in the kernel's cubics within half of its third digit, 0.3 %."""
+    column = kalker_table.POISSON_NODES.index(nu)
+    table = np.array(json.loads((CREEP / "kalker_cij.json").read_text())["table"])
+    tables = kernel_table(nu)
+    for long, rows in enumerate(table):
+        for k, row in enumerate(rows):
+            ratio = ((k + 1) / 10.0) ** (-1.0 if long else 1.0)
+            np.testing.assert_allclose(kalker_table.kalker_coefficients(ratio, nu)[:, 0], row[:, column],
+                                       rtol=1e-12)
+            np.testing.assert_allclose(shapes.kalker_coefficients(tables.rolling, ratio), row[:, column],
+                                       rtol=3e-3)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.28, 0.5])
+def test_kalkers_coefficients_go_over_into_their_asymptotes(nu):
+    """Continuously at g = 0.1, where the asymptotes are some per cent off, and up to them far away."""
+    for end in (-1.0, 1.0):
+        beside = np.exp(end * np.log(10.0) * (1.0 + np.array([-1e-9, 1e-9])))
+        one, other = kalker_table.kalker_coefficients(beside, nu).T
+        np.testing.assert_allclose(one, other, rtol=1e-7)
+        far = np.array([end * np.log(1e5)])
+        found = kalker_table.kalker_coefficients(np.exp(far), nu)[:, 0]
+        for k, column in enumerate(kalker_table.POISSON_NODES):
+            if column == nu:
+                np.testing.assert_allclose(found, kalker_table.asymptotes(far, nu)[:, 0], rtol=1e-4)
+
+
+@pytest.mark.parametrize("eta", [0.02, 0.7, 5.0])
+def test_reaches_are_their_integrals(eta):
+    """Eq. (K4), by adaptive quadrature over the square."""
+    def over_square(function):
+        return integrate.dblquad(lambda t, u: function(np.hypot(np.cos(t) - np.cos(u), eta), t, u), 0.0,
+                                 np.pi, lambda t: 0.0, lambda t: t, epsabs=1e-9, epsrel=1e-9)[0] * 2.0
+    spin = lambda t, u: (np.sin(t) * np.sin(u)) ** 2                                         # noqa: E731
+    wanted = [over_square(lambda r, t, u: eta / r) / (2.0 * np.pi**2),
+              over_square(lambda r, t, u: (eta / r) ** 3) / (2.0 * np.pi**2),
+              over_square(lambda r, t, u: spin(t, u) * eta / r) * 2.0 / np.pi**2,
+              over_square(lambda r, t, u: spin(t, u) * (eta / r) ** 3) * 2.0 / np.pi**2]
+    found = [np.interp(np.log(eta), reach_table.reach_nodes(), row[0])
+             for row in reach_table.stored()["reaches"]]
+    # straight lines between the nodes here: an eighth of the cell's width squared times the bend
+    np.testing.assert_allclose(found, wanted, atol=5e-4)
+
+
+@pytest.mark.parametrize("nu", [0.25, 0.28, 0.3])
+def test_reaches_are_those_of_the_trial_program(nu):
+    """Over all distances; its own quadrature is good to 2e-7."""
+    stored = json.loads((CREEP / "kernels.json").read_text())[f"{nu:g}"]
+    tables = kernel_table(nu)
+    table = tables.rolling
+    found = np.array([stiffness.reaches(table, eta) for eta in stored["eta"]]).T
+    for row, name in zip(found, "xys"):
+        np.testing.assert_allclose(row, stored["S"][name], atol=1e-6)
+    for eta in (1e-5, 0.3, 100.0):
+        ahead = np.array(stiffness.reaches(table, eta))
+        np.testing.assert_array_equal(stiffness.reaches(table, -eta), -ahead)
+
+
+def test_factors_are_those_of_the_trial_program():
+    """Where Kalker's coefficients are the same: at the nodes of his table both take them as they are."""
+    stored = json.loads((CREEP / "factors.json").read_text())
+    tables = kernel_table(stored["nu"])
+    table = tables.rolling
+    ratios, wanted = np.array(stored["a_over_b"]), np.array(stored["factor_K1_K2_K3"])
+    for ratio in (0.2, 0.5, 1.0, 2.0):
+        near = [np.interp(np.log(ratio), np.log(ratios), column) for column in wanted.T]
+        found = [shapes.shape_value(table, 3 + k, shapes.shape_place(ratio)) for k in range(3)]
+        # between nodes it takes the coefficients along straight lines, up to 2 % too high
+        np.testing.assert_allclose(found, near, rtol=0.02)
+
+
+@pytest.mark.parametrize(("nu", "allowed"), [(0.0, 1e-6), (0.25, 1e-6), (0.3, 1e-2), (0.45, 1.5e-2)])
+def test_strips_of_an_ellipse_have_kalkers_stiffness(nu, allowed):
+    """Force of small creepages by the sum over the strips alone, at nodes of the table.  Between the
+    Poisson's ratios of Kalker's table the factors are parabolas of it, and so are 1/C."""
+    tables = kernel_table(nu)
+    tables.shear_modulus = 1.0
+    tables.parameters.poisson_ratio = nu
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    for ratio in np.exp(rolling_table.shape_nodes()[1::4]):
+        found = elliptic_nodes.strip_coefficients(tables, work, ratio)
+        np.testing.assert_allclose(found, kalker_table.kalker_coefficients(ratio, nu)[:, 0], rtol=allowed)
+
+
+def test_the_correction_is_that_of_these_strips():
+    """At some nodes of each Poisson's ratio it is exact minus strips; else it would have to be made anew
+    (tools/make_rolling_correction.py)."""
+    with np.load(rolling_table.CORRECTION) as stored:
+        correction = stored["correction"] * rolling_table.CORRECTION_UNIT
+    for column, nu in enumerate(rolling_table.CORRECTION_NODES):
+        exact = elliptic_nodes.exact_forces(nu)
+        some = {name: values[::2] if name in ("alpha", "rho") else values for name, values in exact.items()}
+        some["forces"] = exact["forces"][:, :, ::2, ::2]
+        apart = some["forces"][..., :3] - elliptic_nodes.strip_forces(some, nu)
+        assert apart.size > 1000
+        np.testing.assert_allclose(correction[column][:, :, ::2, ::2], apart, atol=0.51e-5)
