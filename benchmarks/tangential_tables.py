@@ -73,5 +73,5 @@ def model_table(parts):
             cells = ["0 by definition", "0 by definition", ""]
         default = " (default)" if name == WITHOUT else ""
         rows.append([f'`"{name}"`{default}', description, use, *cells])
-    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses", "units"],
-                rows, words=3)
+    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses",
+                 "units"], rows, words=3)
