@@ -146,7 +146,8 @@ def test_tables_have_every_row():
     parts = {name: store.load(name) for name in ("tangential_errors", "tangential_times")}
     count = len(tangential.MODELS)
     for text, lines in ((tangential_tables.force_table, count + 1 + len(tangential.QUOTED)),
-                        (tangential_tables.moment_table, count), (tangential_tables.model_table, 6)):
+                        (tangential_tables.moment_table, count),
+                        (tangential_tables.short_table, count), (tangential_tables.model_table, 6)):
         table = text(parts).splitlines()
         assert len(table) == 2 + lines and len({line.count("|") for line in table}) == 1
     assert "bytes" in tables.TABLES["creep_times"].text(parts)
