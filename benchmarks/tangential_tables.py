@@ -6,8 +6,8 @@ from .tangential import EQUIVALENT, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, S
 from .tangential_times import ELEMENTS, WITHOUT
 from .tangential_times import MODELS as TIMED
 
-NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses on which "
-        "no constant of a model was chosen. Units: of one patch.")
+NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses on "
+        "which no constant of a model was chosen. Units: of one patch.")
 #: What the README says of the models: description, and what to use it for.
 WORDS = {
     "none": ("no friction", "normal contact alone"),
@@ -66,7 +66,8 @@ def short_table(parts):
     rows = []
     for name, (model, _) in MODELS.items():
         kinds = ("force",) if name in WITHOUT_MOMENT else ("force", "moment")
-        cells = [precise(errors[name][label][kind]) for kind in kinds for label in (NEW_PATCHES, NEW_ELLIPSES)]
+        cells = [precise(errors[name][label][kind]) for kind in kinds
+                 for label in (NEW_PATCHES, NEW_ELLIPSES)]
         rows.append([name, *cells, *[""] * (4 - len(cells)), figure(times["by itself"][model]),
                      figure(times[model]["units"])])
     return grid(["model", "force: patches", "ellipses", "moment: patches", "ellipses", "units by itself",
