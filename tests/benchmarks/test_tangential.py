@@ -117,6 +117,22 @@ def test_strips_are_nearer_than_every_published_method():
                     assert ours < 0.5 * theirs, (name, label)
 
 
+def test_what_the_page_says_of_the_strips():
+    """docs/benchmarks.md, results: shares of the error of the next best method, and of the equivalent
+    ellipse's."""
+    found = kept()
+
+    def share(name, label):
+        return found["strips"][label]["force"][0] / found[name][label]["force"][0]
+
+    others = [name for name in tangential.MODELS if name != "strips"]
+    assert max(share(name, tangential.NEW_PATCHES) for name in others) == pytest.approx(0.25, abs=0.05)
+    assert max(share(name, tangential.NEW_ELLIPSES) for name in others) == pytest.approx(0.125, abs=0.03)
+    assert [share("CONTACT's FaStrip", label) for label in (tangential.HERTZ, tangential.GRIDS)
+            ] == pytest.approx([1 / 3, 1 / 3], abs=0.05)
+    assert share(tangential.EQUIVALENT, tangential.NEW_PATCHES) < 1.0
+
+
 # --- times --------------------------------------------------------------------------------------------------
 
 
