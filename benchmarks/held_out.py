@@ -137,7 +137,7 @@ def shortened(value):
     return float(f"{float(value):.{DIGITS}g}")
 
 
-# ------------------------------------------------------------------------------------------ what is made of it
+# ----------------------------------------------------------------------------------------- what is made of it
 
 
 def stored():
@@ -147,8 +147,9 @@ def stored():
 def case(row, patch):
     """A row of the file as a case."""
     a, b, (x, y, moment) = row["a"] * MM, row["b"] * MM, row["force"]
-    return Case(row.get("name", f"ellipse a/b {a / b:.3g}"), (patch,), (row["xi"], row["eta"],
-                row["phi"] / MM), row["mu"], (x, y), moment * MM, row["mu"] * row["N"], math.sqrt(a * b))
+    creepages = row["xi"], row["eta"], row["phi"] / MM
+    return Case(row.get("name", f"ellipse a/b {a / b:.3g}"), (patch,), creepages, row["mu"], (x, y),
+                moment * MM, row["mu"] * row["N"], math.sqrt(a * b))
 
 
 def ellipses():

@@ -291,6 +291,8 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tangential_tables.time_table),
+    "creep_short": Table("docs/rolling.md", ("tangential_errors", "tangential_times"),
+                         tangential_tables.short_table, tangential_tables.NOTE),
     "creep_models": Table(README, ("tangential_errors", "tangential_times"), tangential_tables.model_table,
                           tangential_tables.NOTE),
     "curvature": Table(METHOD, ("curvature",), curvature_table, ERRORS),

@@ -6,8 +6,8 @@ from .tangential import EQUIVALENT, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, S
 from .tangential_times import ELEMENTS, WITHOUT
 from .tangential_times import MODELS as TIMED
 
-NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) [%] on patches and ellipses on which no constant of a "
-        "model was chosen. Units: of one patch.")
+NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses on "
+        "which no constant of a model was chosen. Units: of one patch.")
 #: What the README says of the models: description, and what to use it for.
 WORDS = {
     "none": ("no friction", "normal contact alone"),
@@ -60,6 +60,20 @@ def time_table(parts):
             f"{whole['wheelset'] / 1e3:,.0f} kB, whatever the model.")
 
 
+def short_table(parts):
+    """Errors on the cases that are held out, and what a patch costs."""
+    errors, times = (parts[name]["rows"] for name in ("tangential_errors", "tangential_times"))
+    rows = []
+    for name, (model, _) in MODELS.items():
+        kinds = ("force",) if name in WITHOUT_MOMENT else ("force", "moment")
+        cells = [precise(errors[name][label][kind]) for kind in kinds
+                 for label in (NEW_PATCHES, NEW_ELLIPSES)]
+        rows.append([name, *cells, *[""] * (4 - len(cells)), figure(times["by itself"][model]),
+                     figure(times[model]["units"])])
+    return grid(["model", "force: patches", "ellipses", "moment: patches", "ellipses", "units by itself",
+                 "in a step"], rows)
+
+
 def model_table(parts):
     """The models as the README has them."""
     errors, times = (parts[name]["rows"] for name in ("tangential_errors", "tangential_times"))
@@ -73,5 +87,5 @@ def model_table(parts):
             cells = ["0 by definition", "0 by definition", ""]
         default = " (default)" if name == WITHOUT else ""
         rows.append([f'`"{name}"`{default}', description, use, *cells])
-    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses", "units"],
-                rows, words=3)
+    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses",
+                 "units"], rows, words=3)

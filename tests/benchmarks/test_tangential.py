@@ -42,8 +42,8 @@ def test_a_patch_has_its_stored_forces(number):
     """Solved again from the stored outline, which has seven digits."""
     row = held_out.stored()["patches"][number]
     station = 1e-3 * np.array(row["y"])
-    outline = Outline.of_stations(station, 1e-3 * np.array(row["half_length"]), 1e6 * np.array(row["pressure"]),
-                                  row["slant"] * station)
+    outline = Outline.of_stations(station, 1e-3 * np.array(row["half_length"]),
+                                  1e6 * np.array(row["pressure"]), row["slant"] * station)
     found = roll_outline(outline, creepage_x=row["xi"], creepage_y=row["eta"], spin=1e3 * row["phi"],
                          friction=row["mu"], shear_modulus=held_out.MODULUS / (2.0 * (1.0 + row["nu"])),
                          poisson_ratio=row["nu"])
@@ -69,7 +69,9 @@ def test_patches_and_their_ellipses_press_alike():
     """The load of a patch is that of its pressures; its ellipse lies within the patch's box."""
     for row, case in zip(held_out.stored()["patches"], held_out.real_patches()):
         station, a, p = (np.array(row[name]) for name in ("y", "half_length", "pressure"))
-        assert np.trapezoid(0.5 * np.pi * a * p, station) == pytest.approx(row["N"], rel=2e-3), case.name
+        line = 0.5 * np.pi * a * p
+        load = np.sum(np.diff(station) * (line[1:] + line[:-1]) / 2)
+        assert load == pytest.approx(row["N"], rel=2e-3), case.name
         assert row["a"] <= 1.02 * a.max() and row["b"] <= 1.02 * np.ptp(station) / 2, case.name
 
 
@@ -115,13 +117,30 @@ def test_strips_are_nearer_than_every_published_method():
                     assert ours < 0.5 * theirs, (name, label)
 
 
+def test_what_the_page_says_of_the_strips():
+    """docs/benchmarks.md, results: shares of the error of the next best method, and of the equivalent
+    ellipse's."""
+    found = kept()
+
+    def share(name, label):
+        return found["strips"][label]["force"][0] / found[name][label]["force"][0]
+
+    others = [name for name in tangential.MODELS if name != "strips"]
+    assert max(share(name, tangential.NEW_PATCHES) for name in others) == pytest.approx(0.25, abs=0.05)
+    assert max(share(name, tangential.NEW_ELLIPSES) for name in others) == pytest.approx(0.125, abs=0.03)
+    assert [share("CONTACT's FaStrip", label) for label in (tangential.HERTZ, tangential.GRIDS)
+            ] == pytest.approx([1 / 3, 1 / 3], abs=0.05)
+    assert share(tangential.EQUIVALENT, tangential.NEW_PATCHES) < 1.0
+
+
 # --- times --------------------------------------------------------------------------------------------------
 
 
 def test_the_wheelset_moves_as_it_stands():
     """Velocities are the slopes of lateral shift and yaw."""
     inputs = tangential_times.moving(900)
-    for rate, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT), (layout.IN_YAW_RATE, layout.IN_YAW)):
+    for rate, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
+                     (layout.IN_YAW_RATE, layout.IN_YAW)):
         way = np.concatenate([[0.0], np.cumsum(0.5 * (inputs[1:, rate] + inputs[:-1, rate])) * 1e-3])
         assert inputs[:, of] - inputs[0, of] == pytest.approx(way, abs=2e-3 * np.ptp(inputs[:, of]))
     assert set(inputs[:, layout.IN_SPEED]) == {tangential_times.SPEED}
@@ -143,7 +162,8 @@ def test_tables_have_every_row():
     parts = {name: store.load(name) for name in ("tangential_errors", "tangential_times")}
     count = len(tangential.MODELS)
     for text, lines in ((tangential_tables.force_table, count + 1 + len(tangential.QUOTED)),
-                        (tangential_tables.moment_table, count), (tangential_tables.model_table, 6)):
+                        (tangential_tables.moment_table, count),
+                        (tangential_tables.short_table, count), (tangential_tables.model_table, 6)):
         table = text(parts).splitlines()
         assert len(table) == 2 + lines and len({line.count("|") for line in table}) == 1
     assert "bytes" in tables.TABLES["creep_times"].text(parts)
@@ -155,7 +175,8 @@ def test_the_picture_shows_every_point(tmp_path):
     for axes, (_, theirs, _) in zip(drawn.axes, tangential_picture.PANELS):
         (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
         points = tangential_picture.points(axes)
-        assert len(points) == len(tangential.MODELS) + sum(theirs in kept()[name] for name in tangential.QUOTED)
+        quoted = sum(theirs in kept()[name] for name in tangential.QUOTED)
+        assert len(points) == len(tangential.MODELS) + quoted
         assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])
                       & (points[:, 1] <= high))
     assert style.save(drawn, tmp_path / "creep_forces.png").stat().st_size > 20_000
