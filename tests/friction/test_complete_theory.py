@@ -55,7 +55,9 @@ def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
     assert 0.0 < apart(state, other) < bound
     for side in SIDES:
         one, two = getattr(state, side), getattr(other, side)
-        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=0.03 + 2 * bound)
+        # FASTSIM's own stick share is up to twice that of the complete theory
+        near = 0.2 if tangential == "fastsim" else 0.03 + 2 * bound
+        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=near)
         # shear is largest at one place, where the strips of a model are coarse
         assert one.patches[0].max_shear == pytest.approx(two.patches[0].max_shear, rel=0.05)
         assert one.friction_power == pytest.approx(two.friction_power, rel=2 * bound)
