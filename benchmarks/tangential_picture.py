@@ -19,7 +19,7 @@ LOOKS = {  # label, marker, colour (Okabe and Ito)
 }
 #: Each panel: the set of ours, that of the quoted methods, and its title.
 PANELS = ((NEW_ELLIPSES, HERTZ, "Ellipses"), (NEW_PATCHES, GRIDS, "Patches of a wheelset"))
-LOWEST, HIGHEST = 0.1, 30.0     # [%] of the picture
+LOWEST, HIGHEST = 0.1, 100.0    # [%] of the picture
 FASTEST, SLOWEST = 1.0, 200.0   # [us]
 
 

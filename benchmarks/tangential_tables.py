@@ -15,7 +15,7 @@ WORDS = {
                "simulations"),
     "fastrip": ("strip theory joined with FASTSIM", "comparison with other programs"),
     "fastsim": ("Kalker's simplified theory", "comparison with other programs"),
-    "polach": ("Polach's formula for one ellipse", "rough studies, large creepages"),
+    "polach": ("Polach's formula for one ellipse", "rough studies with little spin"),
     "halfspace": ("complete theory of steady rolling", "reference; Python only, 0.1 s a patch"),
 }
 
@@ -52,6 +52,7 @@ def time_table(parts):
     models = (WITHOUT, *TIMED)
     rows = [["one patch", "", *(figure(found[model]["units"]) for model in TIMED)],
             ["one patch [µs]", "", *(figure(found[model]["µs"]) for model in TIMED)],
+            ["one patch, by itself", "", *(figure(found["by itself"][model]) for model in TIMED)],
             *([f"wheelset, {element}", *(figure(found[element][model]) for model in models)]
               for element in ELEMENTS)]
     return (f"{grid(['units', *models], rows)}\n\nA step has {whole['patches']:.2f} patches in the mean. A "

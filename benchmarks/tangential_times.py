@@ -4,15 +4,19 @@
 
 Steps of 1 ms of the trajectory that the speed is judged by (benchmarks/trajectory.py), at SPEED and with the
 lateral velocity and yaw rate that belong to it.  A model's own time is the difference of a step with and
-without it, over the patches of a step; ANALYN, rigid.
+without it, over the patches of a step; ANALYN, rigid.  Besides it, the kernel's calls that cut a patch into
+strips and solve it are timed by themselves, over and over on some of the patches that are held out.
 """
 
 import numpy as np
 
 import wrcontact
+from tests.helpers.creep_cases import Model
+from wrcontact.creep import forces
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding.library import default_kernel, span
 
-from . import trajectory
+from . import held_out, trajectory
 from .machine import Cost, cost
 
 SPEED = 20.0        # [m/s]
@@ -23,6 +27,8 @@ ELEMENTS = {"ANALYN, rigid": {}, "ANALYN with strips, rigid": {"normal_model": "
 ALONE = "ANALYN, rigid"
 #: Steps that are timed: one run from flange to flange and back.
 STEPS = 900
+#: The same patch so many times, and which of the patches and ellipses that are held out.
+CALLS, EACH_PATCH, EACH_ELLIPSE = 1000, 8, 20
 #: Runs in a round of the element without elastic contact, whose steps are quick.
 REPEATS = {"rigid": 3, "elastic": 1}
 
@@ -48,6 +54,7 @@ def measured(effort):
                for model in MODELS},
             **{element: {model: best[element, model].units for model in (WITHOUT, *MODELS)}
                for element in ELEMENTS},
+            "by itself": {model: by_itself(model, effort.rounds) / unit for model in MODELS},
             "whole": {"patches": patches, "row": 8 * layout.OUTPUT_COUNT,
                       "wheelset": 8 * (layout.WORK_SIZE + layout.STATE_SIZE)}}
 
@@ -75,3 +82,24 @@ def patches_of(inputs):
     table = wrcontact.ContactSystem(**ELEMENTS[ALONE]).evaluate_many(
         shift, yaw, force, outputs=["left.patch_count", "right.patch_count"])
     return float(np.mean(table.left.patch_count + table.right.patch_count))
+
+
+def by_itself(model, rounds):
+    """Seconds of a patch that is cut into strips and solved, the mean over some cases."""
+    some = [*held_out.real_patches()[::EACH_PATCH], *held_out.ellipses()[::EACH_ELLIPSE]]
+    return float(np.mean([seconds_of(Model(model), case, rounds) for case in some]))
+
+
+def seconds_of(model, case, rounds):
+    """Seconds of one case; the arrays stay alive as long as the library works on them."""
+    model.forces(case)      # which writes the patch
+    patch, library = case.parts[0], default_kernel().library
+    array = forces.model_tables(model.number, patch.youngs_modulus, patch.poisson_ratio)
+    tables, workspace = span(array), span(model.workspace)
+
+    def work():
+        for _ in range(CALLS):
+            library.wrcontact_cut_patch(workspace, 0)
+            library.wrcontact_solve_tangential(tables, workspace)
+
+    return cost(work, CALLS, rounds).seconds

@@ -3,6 +3,8 @@
 import re
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
+from ..interface.outputs import SIDE
+from ..interface.rows import Run
 from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
 from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, unit_definitions
@@ -19,7 +21,7 @@ CAPABILITIES = {
 }
 
 TYPES = {REAL: "Float64", INTEGER: "Int32", BOOLEAN: "Boolean", STRING: "String"}
-FIRST_STATION = re.compile(r"(.*\.(?:station|half_length|pressure))\[1\]")
+FIRST_STATION = re.compile(rf"(.*\.(?:{'|'.join(row.name for row in SIDE if isinstance(row, Run))}))\[1\]")
 TIME, STATIONS = -1, -2     # places of the two that are not in the table
 STATIONS_REFERENCE = 2      # its value reference: it stands before the arrays that it sizes
 SINGLE = -1                 # run of a variable that is no array

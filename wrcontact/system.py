@@ -150,8 +150,8 @@ class ContactSystem:
 
     @property
     def _halfspace(self):
-        """The tolerance of the half-space, and Poisson's ratio if creep forces follow by the complete theory, else
-        None."""
+        """The tolerance of the half-space, and Poisson's ratio if creep forces follow by the complete theory,
+        else None."""
         complete = isinstance(self.methods["tangential_model"], HalfspaceRolling)
         return self.parameters["tolerance"], self.parameters["poisson_ratio"] if complete else None
 

@@ -12,7 +12,7 @@ fixed step, Jacobi's order): the wheelset then has the forces of the motion one 
 
 import time
 from ctypes import c_double, c_uint32
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import fmpy
@@ -111,7 +111,8 @@ class Run:
 
     ``time`` (n,) [s]; ``motion``, ``forces`` and ``seen`` hold a row for each time; ``names`` are those of
     ``seen``, outputs of the contact or the wheelset that were asked for besides.  ``worst_status`` is the
-    largest status of all steps, ``seconds`` the time that the steps took.
+    largest status of all steps; ``seconds`` is the time that the steps took, ``processor`` that of the
+    processor [s].
     """
 
     names: tuple
@@ -121,7 +122,7 @@ class Run:
     seen: np.ndarray
     worst_status: int
     seconds: float
-    energy: dict = field(default_factory=dict)
+    processor: float
 
     def __getitem__(self, name):
         """The column (n,) of a name; forces as the wheelset's inputs have them."""
@@ -181,7 +182,7 @@ class Loop:
         """A :class:`Run` of ``duration`` [s] in steps of ``step`` [s], from where the last one ended; every
         ``every``-th of them is recorded."""
         count = round(duration / step)
-        rows, worst, begin = [], 0, time.perf_counter()
+        rows, worst, begin = [], 0, (time.perf_counter(), time.process_time())
         for k in range(count):
             now = self.now + k * step
             motion = self.motion.read()
@@ -202,9 +203,9 @@ class Loop:
                 self.taken.write(forces)
                 self.moved.write(self.motion.read())
         self.now += count * step
-        seconds = time.perf_counter() - begin
+        taken = time.perf_counter() - begin[0], time.process_time() - begin[1]
         columns = [np.array(column) for column in zip(*rows)]
-        return Run(self.seen, *columns, worst, seconds)
+        return Run(self.seen, *columns, worst, *taken)
 
     def close(self):
         self.contact.close()

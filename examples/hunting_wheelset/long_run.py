@@ -27,8 +27,9 @@ def report(run, steps):
     amplitude = np.ptp(run["lateral_shift"][-len(run.time) // 5:]) / 2
     return (f"{steps} steps of {STEP * 1e3:g} ms, {steps * STEP:g} s at {SPEED:g} m/s, tangential_model "
             f"{CONTACT['tangential_model']}: amplitude {amplitude * 1e3:.3f} mm, largest status "
-            f"{run.worst_status}, {run.seconds:.1f} s, real-time factor {run.seconds / (steps * STEP):.2f} "
-            f"({run.seconds / steps * 1e6:.0f} us a step)")
+            f"{run.worst_status}. It took {run.seconds:.1f} s, a real-time factor of "
+            f"{run.seconds / (steps * STEP):.2f}; the processor worked for {run.processor:.1f} s of them, "
+            f"{run.processor / steps * 1e6:.0f} us a step")
 
 
 if __name__ == "__main__":

@@ -96,10 +96,10 @@ class Wheelset(Fmi2Slave):
     def _register(self):
         for name, (start, unit, meaning) in PARAMETERS.items():
             self._add(name, Fmi2Causality.parameter, unit, meaning, start,
-                      *self._entry(self.parameters, name), variability=Fmi2Variability.fixed)
+                      *self._parameter(name), variability=Fmi2Variability.fixed)
         for name in FORCES:
             self._add(name, Fmi2Causality.input, FORCE_UNITS[name], "of the contact on the wheelset", 0.0,
-                      *self._entry(self.forces, name))
+                      *self._force(name))
         for i in range(len(FORCES)):
             for j in range(len(MOTION)):
                 self._add(f"derivative[{i + 1},{j + 1}]", Fmi2Causality.input, None,
@@ -119,9 +119,16 @@ class Wheelset(Fmi2Slave):
         self.units[name] = unit
         self.register_variable(variable, nested=False)
 
-    @staticmethod
-    def _entry(table, name):
-        return (lambda: table[name]), (lambda value: table.__setitem__(name, value))
+    def _force(self, name):
+        return (lambda: self.forces[name]), (lambda value: self.forces.__setitem__(name, value))
+
+    def _parameter(self, name):
+        def give(value):
+            """A master may read the state at the start before the initialisation ends."""
+            self.parameters[name] = value
+            self.prepare()
+
+        return (lambda: self.parameters[name]), give
 
     def _derivative(self, i, j):
         def give(value):
@@ -187,12 +194,6 @@ class Wheelset(Fmi2Slave):
         self.place = [p["start_lateral_shift"], p["start_vertical_shift"], p["start_roll"], p["start_yaw"]]
         self.rate = [p["start_lateral_velocity"], 0.0, 0.0, 0.0, self.rolling]
         self.distance = 0.0
-
-    def exit_initialization_mode(self):
-        self.prepare()
-
-    def enter_initialization_mode(self):
-        self.prepare()
 
     def curvature(self, distance):
         """Curvature of the track [1/m], and by how much it grows per metre [1/m2]."""

@@ -23,7 +23,7 @@ from ..progress import tracked
 from ..storage.atomic import write_atomically
 
 #: No fused a*b + c, so that results have the same bits as the kernel's Python source.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-fPIC")
 KERNEL_UNITS = tuple(f"native/wrcontact_{part}.c" for part in ("kernel", "prepare", "tangent"))
 

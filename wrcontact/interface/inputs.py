@@ -40,7 +40,6 @@ INPUTS = (
 INPUT_NAMES = tuple(row.name for row in INPUTS)
 INPUT_UNITS = tuple(row.unit for row in INPUTS)
 INPUT_NOMINALS = tuple(row.nominal for row in INPUTS)
-#: What an output may depend on; an FMU declares its dependencies once for all contact modes.
+#: What an output may depend on.  An FMU declares its dependencies once for all methods: in elastic contact
+#: all of these move everything, velocities and friction too where friction carries a part of a vertical load.
 ANSWERED = tuple(row.name for row in INPUTS if not row.hint)
-#: Those of them that say where the wheelset is and what it carries, not how it moves nor its friction.
-POSE = tuple(name for name in ANSWERED if name not in {row.name for row in (*MOTION, *FRICTION)})

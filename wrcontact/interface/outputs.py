@@ -3,7 +3,6 @@
 A new output takes a row here and the code in the kernel that writes its field.
 """
 
-from .inputs import ANSWERED
 from .rows import Blocks, Output, Run, Vector
 
 #: Patches that are reported for each wheel.
@@ -12,7 +11,7 @@ PATCH_LIMIT = 3
 STATION_COUNT, STATION_LEAST, STATION_LIMIT = 31, 3, 201
 
 PATCH = (
-    Output("normal_force", "N", 1e5, "normal force", 0.0, follows=ANSWERED),
+    Output("normal_force", "N", 1e5, "normal force", 0.0),
     Output("area", "m2", 1e-4, "contact area", 0.0),
     Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
     Output("length", "m", 1e-2, "length in rolling direction", 0.0),
@@ -32,25 +31,23 @@ PATCH = (
     Output("y_track", "m", 1.0, "centre of load in the track frame, to the right of the track centre (not "
            "mirrored)"),
     Output("z_track", "m", 1e-3, "centre of load in the track frame, down from top of rail"),
-    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}", follows=ANSWERED),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
     Output("creepage.x", "1", 1e-3, "longitudinal creepage at its centre of load: velocity of the wheel "
-           "against the rail, forward, over the rolling speed", field="creepage_x", follows=ANSWERED),
+           "against the rail, forward, over the rolling speed", field="creepage_x"),
     Output("creepage.y", "1", 1e-3, "lateral creepage, in the plane of the patch, positive to the left on "
-           "both sides", field="creepage_y", follows=ANSWERED),
+           "both sides", field="creepage_y"),
     Output("creepage.spin", "1/m", 1.0, "spin: rotation of the wheel about the normal from the rail to the "
-           "wheel, over the rolling speed", field="spin", follows=ANSWERED),
-    Output("tangential.x", "N", 1e4, "creep force on the wheel, forward", field="creep_force_x",
-           follows=ANSWERED),
+           "wheel, over the rolling speed", field="spin"),
+    Output("tangential.x", "N", 1e4, "creep force on the wheel, forward", field="creep_force_x"),
     Output("tangential.y", "N", 1e4, "creep force on the wheel, in the plane of the patch to the field side",
-           field="creep_force_y", follows=ANSWERED),
+           field="creep_force_y"),
     Output("tangential.moment", "N.m", 10.0, "moment of the tractions on the wheel about the normal from the "
-           "rail to the wheel through its centre of load", field="creep_moment", follows=ANSWERED),
+           "rail to the wheel through its centre of load", field="creep_moment"),
     Output("stick_share", "1", 1.0, "share of the area that sticks; zero where the model does not know it",
-           0.0, 1.0, follows=ANSWERED),
-    Output("max_shear", "Pa", 1e8, "largest traction; zero where the model does not know it", 0.0,
-           follows=ANSWERED),
-    Output("friction_power", "W", 1e3, "power that friction takes from the motion", follows=ANSWERED),
-    Output("saturation", "1", 1.0, "creep force over friction times normal force", 0.0, follows=ANSWERED),
+           0.0, 1.0),
+    Output("max_shear", "Pa", 1e8, "largest traction; zero where the model does not know it", 0.0),
+    Output("friction_power", "W", 1e3, "power that friction takes from the motion"),
+    Output("saturation", "1", 1.0, "creep force over friction times normal force", 0.0),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow
@@ -79,51 +76,46 @@ SIDE = (
     Output("curvature_y", "1/m", 10.0, "relative (combined) principal curvature of wheel and rail at the "
            "contact point, across the rail"),
     Output("penetration", "m", 1e-4, "penetration: approach of the two bodies", 0.0),
-    Output("normal_force", "N", 1e5, "normal force, total over the patches", 0.0, follows=ANSWERED),
+    Output("normal_force", "N", 1e5, "normal force, total over the patches", 0.0),
     Output("area", "m2", 1e-4, "contact area, total over the patches", 0.0),
     Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
     Output("patch_length", "m", 1e-2, "length of the contact in rolling direction", 0.0),
     Output("patch_width", "m", 1e-2, "width of the contact in the contact plane, from first to last loaded "
            "point", 0.0),
     Output("patch_centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the "
-           "field side", follows=ANSWERED),
-    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}", follows=ANSWERED),
-    Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}",
-           follows=ANSWERED),
+           "field side"),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
+    Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}"),
     Vector("normal.force", "N", 1e5, "part of the force that is due to the pressures alone, {axis}",
-           field="normal_part", follows=ANSWERED),
+           field="normal_part"),
     Vector("normal.moment", "N.m", 1e4, "moment of this part about the wheelset's centre, around the axis "
-           "{axis}", field="normal_moment", follows=ANSWERED),
-    Output("friction_power", "W", 1e3, "power that friction takes from the motion, sum over the patches",
-           follows=ANSWERED),
+           "{axis}", field="normal_moment"),
+    Output("friction_power", "W", 1e3, "power that friction takes from the motion, sum over the patches"),
     Output("wear_number", "N", 100.0, "wear number T gamma: creep forces times creepages without spin, sum "
-           "over the patches", 0.0, follows=ANSWERED),
+           "over the patches", 0.0),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),
     Run("half_length", "m", 1e-2, "half the length of the patch in rolling direction at the station", 0.0),
     Run("pressure", "Pa", 1e9, "contact pressure on the centre line of the patch at the station", 0.0),
-    Run("shear", "Pa", 1e8, "creep force per area, mean over the length of the patch at the station", 0.0,
-        follows=ANSWERED),
+    Run("shear", "Pa", 1e8, "creep force per area, mean over the length of the patch at the station", 0.0),
     Run("slip", "m/s", 0.01, "sliding velocity at the station, such that shear times slip is the friction "
-        "power per area", 0.0, follows=ANSWERED),
+        "power per area", 0.0),
 )
 
 #: Outputs of the wheelset, ahead of those of the left and then the right wheel.
 WHEELSET = (
     Output("roll", "rad", 1e-3, "Roll of the wheelset, positive with the right wheel down"),
     Output("vertical_shift", "m", 1e-3, "Vertical shift of the wheelset, positive down"),
-    Vector("force", "N", 1e5, "Resultant of the contact forces on the wheelset, {axis}",
-           follows=ANSWERED),
+    Vector("force", "N", 1e5, "Resultant of the contact forces on the wheelset, {axis}"),
     Vector("moment", "N.m", 1e4,
-           "Moment of the contact forces about the wheelset's centre, around the axis {axis}",
-           follows=ANSWERED),
+           "Moment of the contact forces about the wheelset's centre, around the axis {axis}"),
     Vector("normal.force", "N", 1e5, "Part of the resultant that is due to the pressures alone, {axis}",
-           field="normal_part", follows=ANSWERED),
+           field="normal_part"),
     Vector("normal.moment", "N.m", 1e4, "Moment of this part about the wheelset's centre, around the axis "
-           "{axis}", field="normal_moment", follows=ANSWERED),
+           "{axis}", field="normal_moment"),
     Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they "
-           "turn the wheels forward", follows=ANSWERED),
+           "turn the wheels forward"),
 )
 
 SIDES = ("left", "right")

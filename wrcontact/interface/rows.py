@@ -73,11 +73,9 @@ class Input(Row):
 
 @dataclass(frozen=True)
 class Output(Row):
-    """A number; ``whole`` numbers are integers.  ``follows`` are names of the inputs that it depends on, None
-    for all of the pose and the load."""
+    """A number; ``whole`` numbers are integers."""
 
     whole: bool = False
-    follows: tuple | None = None
 
 
 @dataclass(frozen=True)

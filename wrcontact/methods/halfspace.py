@@ -32,8 +32,8 @@ class Halfspace(NormalModel):
     tolerance: float | None = tolerance_from(3e-4)
 
     def check_beside(self, chosen):
-        """As for every method; with creep forces, which would carry a part of a vertical load, the load is the
-        normal one."""
+        """As for every method; with creep forces, which would carry a part of a vertical load, the load is
+        the normal one."""
         super().check_beside(chosen)
         if chosen["tangential_model"] != "none" and chosen["load"] != "normal":
             raise ValueError(

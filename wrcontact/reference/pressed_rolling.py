@@ -1,31 +1,32 @@
 """Creep forces of a pressed wheel: its patches roll with the pressures that the half-space has found.
 
-Patches are cut into strips as those of the kernel's models are.  Either a model of the kernel finds their creep
-forces, or the complete theory does (wrcontact/reference/rolling), on the cells of the normal contact.
+Patches are cut into strips as those of the kernel's models are.  Either a model of the kernel finds their
+creep forces, or the complete theory does (wrcontact/reference/rolling), with the pressures of the cells.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.motion.creepage import STANDSTILL, patch_speed, rolling_velocity, velocity_along
 from ..kernel.tangential.sections import cut_patch
 from ..kernel.wheelset.creep_forces import open_rolling, write_side_wear
+from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
 from .pressed_wheel import PressedWheel
 from .rolling.contact import rolling_contact
-from .rolling.extrapolation import extrapolated
+from .rolling.extrapolation import COARSE_CELLS, extrapolated
 from .rolling.pressure import PressureField
 from .rolling_step import roll_patch_forwards, roll_strips, write_force
 
-#: A patch with fewer cells than this in either direction rolls as an outline of strips instead: half as many
-#: cells would not show its edge.
-LEAST_CELLS = 20
-#: As many are enough in either direction: the error that is left behind the extrapolation is below 0.2 % of the
-#: friction limit with 48 (docs/rolling.md).
-MOST_CELLS = 60
+#: A patch with fewer cells than this in either direction rolls as an outline of strips instead: the edge
+#: within its cells is not known well.
+LEAST_CELLS = 12
+#: Points of each cell, each way, at which its pressure is taken.
+POINTS = 8
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,11 @@ class SolvedSide:
     solved: layout.SolvedPatches
     mirror: float
     moved: np.ndarray
+
+    def ranked(self, number):
+        """The record :class:`~wrcontact.kernel.layout.SolvedPatch` of the patch ``number`` by falling load,
+        from 0."""
+        return next(patch for patch in self.solved.patches if patch.rank == number + 1)
 
     def place(self, x, station):
         """Track coordinates y, z [m] of the place x, ``station`` [m], and the wheel's rolling radius there
@@ -136,79 +142,75 @@ class CompleteRolling:
         self._material = {"shear_modulus": shear_modulus, "poisson_ratio": poisson_ratio}
 
     def __call__(self, side, number, patch):
-        cells = cells_of_patch(side.wheel.contact, number)
-        if cells is None:
+        fields = patch_fields(side, number)
+        if fields is None:
             roll_strips(patch, **self._material)
             return
-        slip = row_slips(layout.Work.at(self._workspace).motion, side, number, patch, cells)
-        roll_patch_forwards(patch, lambda: roll_cells(patch, cells, slip, **self._material))
+        motion = layout.Work.at(self._workspace).motion
+        slips = [row_slips(motion, side, number, patch, field) for field in fields]
+        roll_patch_forwards(patch, lambda: roll_fields(patch, fields, slips, **self._material))
 
 
-def cells_of_patch(contact, number):
-    """Pressures of the patch ``number`` by falling load, in track coordinates x and stations, on an even number
-    of cells each way, at most MOST_CELLS and one; None where they are few, or not even.  Small cells of the
-    normal contact are joined to larger ones."""
+def patch_fields(side, number):
+    """Pressures of the patch ``number`` by falling load on 24 and on 48 cells each way that just hold it,
+    about its centre of load: two :class:`~wrcontact.reference.rolling.pressure.PressureField`; None where the
+    cells of its normal contact are few, or not even.
+
+    Squares of pressures follow straight lines between the cells, to zero at the edge found within them.
+    """
+    contact, solved = side.wheel.contact, side.ranked(number)
     pressure = split_patches(contact)[number]
-    rows, columns = (_joining(middles, loaded) for middles, loaded in
-                     ((contact.s, pressure.any(axis=0)), (contact.x, pressure.any(axis=1))))
-    if rows is None or columns is None:
+    loaded = [np.flatnonzero(pressure.any(axis=axis)) for axis in (1, 0)]
+    if min(len(places) for places in loaded) < LEAST_CELLS:
         return None
-    (at, y, per_row), (along, x, per_column) = rows, columns
-    padded = np.zeros((len(y) * per_row, len(x) * per_column))
-    loaded = pressure[along, at].T
-    padded[:loaded.shape[0], :loaded.shape[1]] = loaded
-    share = (padded > 0.0).astype(float)
-    return PressureField(x, y, *(joined(each, per_row, per_column) for each in (padded, share)))
-
-
-def _joining(middles, loaded):
-    """Slice of the loaded cells of one direction, middles of the joined ones [m], and how many each joins."""
-    places = np.flatnonzero(loaded)
-    first, count = places[0], places[-1] - places[0] + 1
-    steps = np.diff(middles[first:first + count])
-    if count < LEAST_CELLS or np.ptp(steps) > 1e-6 * steps[0]:
+    middles = [each[places[0]:places[-1] + 1] for each, places in zip((contact.x, contact.s), loaded)]
+    if any(np.ptp(np.diff(each)) > 1e-6 * (each[1] - each[0]) for each in middles):
         return None
-    size = -(-count // MOST_CELLS)
-    pairs = -(-count // (2 * size))
-    start = middles[first] + 0.5 * (size - 1) * steps[0]
-    return slice(first, first + count), start + size * steps[0] * np.arange(2 * pairs), size
+    edge = edge_field(pressure[np.ix_(*(np.arange(places[0], places[-1] + 1) for places in loaded))])
+    origin = solved.x, solved.totals.centroid
+    return [sampled(edge, [each - start for each, start in zip(middles, origin)], cells)
+            for cells in (COARSE_CELLS, 2 * COARSE_CELLS)]
 
 
-def joined(values, rows, columns):
-    """Means of ``values`` over blocks of so many rows and columns, which divide its shape."""
-    height, width = values.shape
-    return values.reshape(height // rows, rows, width // columns, columns).mean(axis=(1, 3))
+def sampled(edge, middles, cells):
+    """A :class:`~wrcontact.reference.rolling.pressure.PressureField` of so many ``cells`` each way that just
+    holds a patch, from its :func:`~wrcontact.reference.edge.edge_field` and the ``middles`` of the cells that
+    this is made from, along x and across [m]."""
+    places, found = [], []
+    for one, field in zip(middles, (edge.T, edge)):
+        low, high = extent(field)
+        size = (high - low) / cells
+        places.append(EDGE_PAD + low + size / POINTS * (np.arange(cells * POINTS) + 0.5))
+        found.append(one[0] + (one[1] - one[0]) * (low + size * (np.arange(cells) + 0.5)))
+    square = ndimage.map_coordinates(edge, np.meshgrid(*places, indexing="ij"), order=1).T
+    shares = [np.sqrt(np.maximum(square, 0.0)), (square > 0.0).astype(float)]
+    return PressureField(*found, *(each.reshape(cells, POINTS, cells, POINTS).mean(axis=(1, 3))
+                                   for each in shares))
 
 
-def row_slips(motion, side, number, patch, cells):
-    """Longitudinal creepage of each row of ``cells``, whose rolling radius is its own, (ny,); reduced as the
-    other creepages of the patch are on wet rails."""
-    load = cells.pressure.sum(axis=1)
-    centre = float(cells.pressure.sum(axis=0) @ cells.x / load.sum())
-    x = np.divide(cells.pressure @ cells.x, load, out=np.full(len(load), centre), where=load > 0.0)
-    slip = np.array([side.slip(motion, patch.speed, *place) for place in zip(x, cells.y)])
-    strips = np.array([(strip.station, side.slip(motion, patch.speed, centre + strip.x, strip.station),
-                        strip.slip) for strip in patch.strips])
-    return slip * np.abs(strips[:, 2]).sum() / np.abs(strips[:, 1]).sum()
+def row_slips(motion, side, number, patch, field):
+    """Longitudinal creepage of each row of a ``field`` about the centre of load, whose rolling radius is its
+    own, (ny,); reduced as the other creepages of the patch are on wet rails."""
+    solved = side.ranked(number)
+    load = field.pressure.sum(axis=1)
+    x = np.divide(field.pressure @ field.x, load, out=np.zeros(len(load)), where=load > 0.0)
+    slip = np.array([side.slip(motion, patch.speed, solved.x + ahead, solved.totals.centroid + y)
+                     for ahead, y in zip(x, field.y)])
+    strips = np.array([(side.slip(motion, patch.speed, solved.x + strip.x, strip.station), strip.slip)
+                       for strip in patch.strips])
+    return slip * np.abs(strips[:, 1]).sum() / np.abs(strips[:, 0]).sum()
 
 
-def roll_cells(patch, cells, slip, **material):
-    """:class:`~wrcontact.reference.rolling.extrapolation.RollingForces` of a patch that rolls forwards, on its
-    cells and on half as many each way, about its centre of load."""
-    load = cells.pressure.sum()
-    x, y = (middles - cells.pressure.sum(axis=axis) @ middles / load
-            for axis, middles in enumerate((cells.x, cells.y)))
-    pressure, cover = cells.pressure, cells.cover
-    if patch.backwards:
-        x, pressure, cover, slip = -x[::-1], pressure[:, ::-1], cover[:, ::-1], -slip
-    fine = PressureField(x, y, pressure, cover).scaled(patch.load)
-    along = slip + patch.spin * y
-    motion = {"creepage_y": patch.creepage_y, "spin": patch.spin, "friction": patch.friction, **material}
-    coarse = rolling_contact(halved(fine), creepage_x=along.reshape(-1, 2).mean(axis=1), **motion)
-    return extrapolated(coarse, rolling_contact(fine, creepage_x=along, start=coarse, **motion))
-
-
-def halved(field):
-    """The same pressures on half as many cells each way, which are even numbers."""
-    x, y = (middles.reshape(-1, 2).mean(axis=1) for middles in (field.x, field.y))
-    return PressureField(x, y, joined(field.pressure, 2, 2), joined(field.cover, 2, 2))
+def roll_fields(patch, fields, slips, **material):
+    """:class:`~wrcontact.reference.rolling.extrapolation.RollingForces` of a patch that rolls forwards, on
+    the pressures of a coarse and a fine grid with the ``slips`` of their rows."""
+    found, solution = [], None
+    for field, slip in zip(fields, slips):
+        if patch.backwards:
+            field = PressureField(-field.x[::-1], field.y, field.pressure[:, ::-1], field.cover[:, ::-1])
+            slip = -slip
+        solution = rolling_contact(field.scaled(patch.load), creepage_x=slip + patch.spin * field.y,
+                                   creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction,
+                                   start=solution, **material)
+        found.append(solution)
+    return extrapolated(*found)

@@ -11,6 +11,9 @@ nu gives, over eta, with r^2 = (cos t - cos t')^2 + eta^2 and the integrals over
 
 all 1/2 far away.  tools/make_rolling_kernels.py makes P, R, P_s, R_s and their slopes over ln eta, and the
 factors f of eq. (K3), which are stored in kernel/data/rolling_kernels.json.
+
+The kernel's table is over z = eta^(1/4), which takes two square roots and no logarithm.  Nearer than the first
+stored node eta_0 the reaches go on with their slope there as eta (A - B ln eta), as eta/r integrates.
 """
 
 import json
@@ -32,20 +35,46 @@ def stored():
     return {name: np.array(values) for name, values in json.loads(DATA.read_text()).items()}
 
 
+#: ln eta of the first stored node, nodes per unit, and intervals between them.
+START = -7.5
+PER_UNIT = 8.0
+INTERVALS = 93
+
+
 def reach_nodes():
-    """ln eta of the nodes (n,)."""
-    return layout.REACH_START + np.arange(layout.REACH_CELLS + 1) / layout.REACH_PER_UNIT
+    """ln eta of the stored nodes (n,)."""
+    return START + np.arange(INTERVALS + 1) / PER_UNIT
+
+
+def resampled(value, slope):
+    """Value and slope per cell (2, n) at the nodes of the kernel's table, of a function that is stored as its
+    value and slope over ln eta (m,) at the stored nodes; behind the last of these it stays as it is."""
+    z = np.arange(1, layout.REACH_CELLS + 1) / layout.REACH_PER_UNIT
+    logarithm = 4.0 * np.log(z)
+    place = np.clip((logarithm - START) * PER_UNIT, 0.0, INTERVALS)
+    cell = np.minimum(place.astype(int), INTERVALS - 1)
+    u, (c0, c1, c2, c3) = place - cell, hermite_cubic(value, slope / PER_UNIT)[cell].T
+    values = c0 + u * (c1 + u * (c2 + u * c3))
+    slopes = np.where(place < INTERVALS, PER_UNIT * (c1 + u * (2.0 * c2 + u * 3.0 * c3)), 0.0)
+    near = place <= 0.0
+    nearness = np.exp(logarithm[near] - START)
+    values[near] = nearness * (value[0] - (value[0] - slope[0]) * (logarithm[near] - START))
+    slopes[near] = values[near] - nearness * (value[0] - slope[0])
+    slopes *= 4.0 / (z * layout.REACH_PER_UNIT)
+    # in the first cell the cube of z, which falls to zero without a change of sign
+    slopes[0] = 3.0 * values[0]
+    return np.insert([values, slopes], 0, 0.0, axis=1)
 
 
 def reach_parts():
     """The two parts (part, n) of the table of reaches: S = first + weight second, with the weights
-    nu/(1 - nu) for S_x and nu for the others, as cubics over the cells; behind them the same at the first
-    node."""
+    nu/(1 - nu) for S_x and nu for the others, as cubics over the cells; behind them what stays as it is."""
     near, far, near_spin, far_spin = stored()["reaches"]
     pairs = (near, near - far), (near, far - near), (near_spin, far_spin - near_spin)
     parts = []
     for part in range(2):
-        rows = [hermite_cubic(pair[part][0], pair[part][1] / layout.REACH_PER_UNIT) for pair in pairs]
-        first = [pair[part][0, 0] for pair in pairs]
-        parts.append(np.concatenate([np.stack(rows, axis=1).ravel(), first]))
+        nodes = [resampled(*pair[part]) for pair in pairs]
+        rows = np.stack([hermite_cubic(*pair) for pair in nodes], axis=1)
+        last = [[value[-1], 0.0, 0.0, 0.0] for value, _ in nodes]
+        parts.append(np.concatenate([rows.ravel(), np.ravel(last)]))
     return np.array(parts)

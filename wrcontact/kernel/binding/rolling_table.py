@@ -67,7 +67,7 @@ def assemble(factors, correction):
     table = np.concatenate([points(), *(shapes(column, rows) for column, rows in enumerate(factors)),
                             reach_parts().ravel(), correction])
     wanted = (2 * layout.POINT_LIMIT + 3 * layout.SHAPE_ROW * layout.SHAPE_CELLS
-              + 2 * (layout.REACH_ROW * layout.REACH_CELLS + layout.REACH_COLUMNS) + layout.CORRECTION_RADII
+              + 2 * layout.REACH_ROW * (layout.REACH_CELLS + 1) + layout.CORRECTION_RADII
               + 3 * (layout.CORRECTION_SCALES + layout.CORRECTION_SIZE))
     if len(table) != wanted:
         raise TypeError(f"the table of rolling has {len(table)} numbers, its record asks for {wanted}")

@@ -30,6 +30,7 @@ static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_d
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t rolling)
 {
     int64_t march;
+    int64_t marches;
     double ratio;
     double plane;
     double spinning;
@@ -39,9 +40,10 @@ static inline int64_t coupled_strips__add_strips(array_double_1d work, array_dou
     int64_t strip;
     double rate;
     march = rolling + layout__ROLLING_PATCH_MARCH;
+    marches = rolling + layout__ROLLING_PATCH_MARCHES;
     ratio = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     coupled_strips__flexibilities(&plane, &spinning, work, rolling);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = 0.0;
+    slip_march__open_marches(work, marches, ratio);
     stuck = 0.0;
     i_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_PATCH_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -52,13 +54,13 @@ static inline int64_t coupled_strips__add_strips(array_double_1d work, array_dou
         {
             coupled_strips__begin_march(work, rolling, strip, rate, i);
             stick_zone__find_stick_zone(work, march, (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), ratio);
-            slip_march__set_pushes(work, march, plane, spinning, ratio);
-            slip_march__march_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march);
-            coupled_strips__finish_march(work, rolling, strip);
+            slip_march__set_pushes(work, march, marches, i, plane, spinning, ratio);
+            slip_march__set_stick(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, marches, i);
             stuck += 2.0 * ((*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
-    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = sqrt((*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)));
+    slip_march__march_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), marches);
+    coupled_strips__finish_marches(work, rolling);
     (*cspan_at(&work, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = stuck / tractions__patch_area(work, rolling);
     return INT64_C(0);
 }
@@ -110,19 +112,34 @@ static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t 
     return INT64_C(0);
 }
 
-/* Add the strip's force; eqs. (T1), (T2). */
-static inline int64_t coupled_strips__finish_march(array_double_1d work, int64_t rolling, int64_t strip)
+/* Add the strips' forces, eqs. (T1), (T2), and find the largest traction. */
+static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t rolling)
 {
-    int64_t march;
-    double weight;
-    double reach;
-    double inner;
-    double across;
-    march = rolling + layout__ROLLING_PATCH_MARCH;
-    weight = tractions__point_weight(work, strip);
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    inner = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * 0.5 * M_PI * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * reach * reach;
-    across = ((*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST))) * inner;
-    tractions__add_strip(work, rolling, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * inner, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) - across, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) - across * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)));
+    int64_t marches;
+    double largest;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double unit;
+    double square;
+    marches = rolling + layout__ROLLING_PATCH_MARCHES;
+    largest = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_PATCH_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = rolling + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        unit = tractions__bound_rate(work, rolling, strip) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        square = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) * unit * unit;
+        if (square > largest)
+        {
+            largest = square;
+        }
+        if (unit > 0.0)
+        {
+            unit *= tractions__point_weight(work, strip);
+            tractions__add_strip(work, rolling, strip, unit * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)), unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+        }
+    }
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = sqrt(largest);
     return INT64_C(0);
 }

@@ -25,7 +25,7 @@
 
 static inline int64_t coupled_strips__flexibilities(double* result_0, double* result_1, array_double_1d work, int64_t rolling);
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t rolling, int64_t strip, double rate, int64_t index);
-static inline int64_t coupled_strips__finish_march(array_double_1d work, int64_t rolling, int64_t strip);
+static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t rolling);
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t rolling);
 static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t rolling);
 

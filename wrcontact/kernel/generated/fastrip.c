@@ -47,9 +47,9 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
             (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = rate;
             lateral = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
             fastrip__find_stick(work, march, fastrip__longitudinal(work, tables, rolling, strip), lateral, (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)));
-            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) = fastsim__strip_push(work, rolling, strip, along, turning);
-            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * turning;
+            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) = fastsim__strip_push(work, rolling, strip, along, turning);
+            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
+            (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_SPIN)) * turning;
             fastrip__add_tractions(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), rolling, strip);
             stuck += 2.0 * ((*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
@@ -190,8 +190,8 @@ static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_dou
     double root;
     double size;
     step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * (x + 0.5 * step);
-    tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, bound);
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x + 0.5 * step);
+    tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, bound);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);

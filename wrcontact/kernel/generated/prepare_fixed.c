@@ -92,37 +92,19 @@ static inline int64_t prepare_fixed__write_shapes(array_double_1d tables, int64_
 /* The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them. */
 static inline int64_t prepare_fixed__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
-    int64_t cells;
     int64_t size;
     int64_t i;
-    int64_t column;
     double weight;
-    double value;
-    cells = layout__REACH_ROW * layout__REACH_CELLS;
-    size = cells + layout__REACH_COLUMNS;
+    size = layout__REACH_ROW * (layout__REACH_CELLS + INT64_C(1));
     for (i = INT64_C(0); i < size; i += INT64_C(1))
     {
-        column = i - cells;
-        if (i < cells)
-        {
-            column = pyc_modulo(py_floor_div_int64_t(i, INT64_C(4)), layout__REACH_COLUMNS);
-        }
         weight = poisson_ratio;
-        if (column == INT64_C(0))
+        if (pyc_modulo(py_floor_div_int64_t(i, INT64_C(4)), layout__REACH_COLUMNS) == INT64_C(0))
         {
             weight = poisson_ratio / (1.0 - poisson_ratio);
         }
-        value = (*cspan_at(&fixed, first + i)) + weight * (*cspan_at(&fixed, first + size + i));
-        if (i < cells)
-        {
-            (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + i)) = value;
-        }
-        else
-        {
-            (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + column)) = value;
-        }
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + i)) = (*cspan_at(&fixed, first + i)) + weight * (*cspan_at(&fixed, first + size + i));
     }
-    (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE)) = exp(layout__REACH_START);
     return first + INT64_C(2) * size;
 }
 

@@ -22,14 +22,52 @@
  *
  * Where the stick zone (stick_zone.py) has the weight c < 1, the rest of the traction is that of a strip which
  * slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+ *
+ * All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
+ * of all of them, and compilers do several strips at once.
  */
 
 #include "slip_march.h"
 
-/* What both marches lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and ``spinning`` = i3/K3
- * [1/m] of the patch, ``ratio`` its a/b.
+/* Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b. */
+static inline int64_t slip_march__open_marches(array_double_1d work, int64_t marches, double ratio)
+{
+    int64_t i;
+    int64_t q;
+    double square;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
+    }
+    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    {
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = -1.0;
+    }
+    square = ratio / slip_march__SHARE_RATIO * (ratio / slip_march__SHARE_RATIO);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) = slip_march__SHARE / (1.0 + square * square);
+    return INT64_C(0);
+}
+
+/* What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
+ * ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b.
  */
-static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march, double plane, double spinning, double ratio)
+static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march, int64_t marches, int64_t number, double plane, double spinning, double ratio)
 {
     double i1;
     double i2;
@@ -43,7 +81,9 @@ static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march
     double scale;
     double near;
     double lag;
-    double square;
+    double along;
+    double across;
+    double turning;
     i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
     i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
     i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
@@ -60,293 +100,362 @@ static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march
     i3 = centre + (i3 - centre) * near;
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
     lag = slip_march__LAG + slip_march__LONG_LAG * ratio / (ratio + slip_march__LAG_RATIO);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG)) = lag / (1.0 + scale * fills / (slip_march__LAG_FILLS * slip_march__LAG_FILLS));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * i1;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * i2;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * i3;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * centre;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * centre;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * centre;
-    square = ratio / slip_march__SHARE_RATIO * (ratio / slip_march__SHARE_RATIO);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) = slip_march__SHARE / (1.0 + square * square);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + number)) = lag / (1.0 + scale * fills / (slip_march__LAG_FILLS * slip_march__LAG_FILLS));
+    along = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + number)) = along * centre;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across * centre;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning * centre;
     return INT64_C(0);
 }
 
-/* Sums of the tractions over the points of a strip, and the largest of them. */
-static inline int64_t slip_march__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march)
-{
-    int64_t first;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    first = INT64_C(0);
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) > 0.0)
-    {
-        if (((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < 1.0) || ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0))
-        {
-            first = slip_march__march_stick(tables, work, table, march);
-        }
-        else
-        {
-            first = slip_march__march_held(tables, work, table, march);
-        }
-        if (first < layout__POINT_LIMIT)
-        {
-            slip_march__cross_edge(tables, work, table, march, first);
-            first += INT64_C(1);
-        }
-    }
-    slip_march__march_slip(tables, work, table, march, first);
-    return INT64_C(0);
-}
-
-/* The traction of march ``index`` at ``x``, a ``step`` further, eq. (M1) or (M2). */
-static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t march, int64_t index, double p_x, double p_y, double x, double step, double bound)
-{
-    double across;
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + index)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + index)) * (x + (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG)) * step);
-    tractions__cut_to(result_0, result_1, p_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + index)), p_y - step * across, bound);
-    return 0;
-}
-
-/* Let the first march come to ``x``, a ``step`` further. */
-static inline int64_t slip_march__step_first(array_double_1d work, int64_t march, double x, double step, double bound)
-{
-    double p_x;
-    double p_y;
-    slip_march__stepped(&p_x, &p_y, work, march, INT64_C(0), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)), x, step, bound);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = p_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = p_y;
-    return INT64_C(0);
-}
-
-/* Let the second march come to ``x``, a ``step`` further, from this traction. */
-static inline int64_t slip_march__step_second(array_double_1d work, int64_t march, double from_x, double from_y, double x, double step, double bound)
-{
-    double p_x;
-    double p_y;
-    slip_march__stepped(&p_x, &p_y, work, march, INT64_C(1), from_x, from_y, x, step, bound);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) = p_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) = p_y;
-    return INT64_C(0);
-}
-
-/* The traction of eq. (M5). */
-static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t march, double bound)
-{
-    double along;
-    double across;
-    double square;
-    double scale;
-    along = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * ((*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)));
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * ((*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)));
-    square = along * along + across * across;
-    scale = bound / sqrt(square + slip_march__SOFT * slip_march__SOFT * (bound * bound - square) + slip_march__NOTHING);
-    (*result_0) = along * scale;
-    (*result_1) = across * scale;
-    return 0;
-}
-
-/* Add the traction of a point to the sums. */
-static inline int64_t slip_march__add_point(array_double_1d work, int64_t march, double x, double weight, double p_x, double p_y)
-{
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) += weight * p_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) += weight * p_y;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) += weight * x * p_y;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
-    return INT64_C(0);
-}
-
-/* Keep the largest traction. */
-static inline int64_t slip_march__note_largest(array_double_1d work, int64_t march, double p_x, double p_y)
-{
-    double square;
-    square = p_x * p_x + p_y * p_y;
-    if (square > (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)))
-    {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = square;
-    }
-    return INT64_C(0);
-}
-
-/* Add the points of a stick zone that counts as a whole and stays within the bound, without the second
- * root of eq. (Z1); the first point behind.
+/* Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
+ * points before the edge; the first point behind the edge takes note of the strip.
  */
-static inline int64_t slip_march__march_held(array_double_1d tables, array_double_1d work, int64_t table, int64_t march)
+static inline int64_t slip_march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number)
 {
-    double a;
-    double top;
-    double lag;
-    double before;
-    double first_x;
-    double first_y;
-    double sum_x;
-    double sum_moment;
-    double x;
-    double bound;
-    double step;
-    int64_t q;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
-    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
-    first_x = 0.0;
-    first_y = 0.0;
-    sum_x = 0.0;
-    sum_moment = 0.0;
-    q = INT64_C(0);
-    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
-    {
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound = top * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        step = before - x;
-        before = x;
-        tractions__cut_to(&first_x, &first_y, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * (x + lag * step)), bound);
-        sum_x += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
-        sum_moment += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound * x;
-        q += INT64_C(1);
-    }
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = before;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = first_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment;
-    return q;
-}
-
-/* Add the points of the stick zone, without the second root of eq. (Z1) but for what cuts it to the
- * bound; the first point behind.
- */
-static inline int64_t slip_march__march_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march)
-{
-    double a;
     double weight;
-    double x;
-    double step;
-    double bound;
-    double p_x;
-    double p_y;
-    double over_x;
-    double over_y;
-    double slip_x;
-    double slip_y;
+    double depth;
+    double edge;
+    double total;
+    double moment;
     int64_t q;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    double inner;
+    double across;
     weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    q = INT64_C(0);
-    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + number)) = (1.0 - weight) * (1.0 - weight);
+    if (weight > 0.0)
     {
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-        bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        slip_march__step_first(work, march, x, step, bound);
-        p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * bound;
-        p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * bound;
+        depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        edge = 2.0 * depth - 1.0;
+        total = 0.0;
+        moment = 0.0;
+        q = INT64_C(0);
+        while((q < layout__POINT_LIMIT) && ((*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= edge))
+        {
+            total += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+            moment += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+            q += INT64_C(1);
+        }
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + number)) = weight;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + number)) = edge;
+        inner = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1)) * (1.0 - depth) * (1.0 - depth);
+        across = weight * ((*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST))) * inner;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (total - inner);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * total - across;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * moment - across * depth;
         if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
-            slip_march__beyond_bound(&over_x, &over_y, work, march, x, bound);
-            p_x += over_x;
-            p_y += over_y;
+            slip_march__add_beyond(tables, work, table, march, marches, number, q);
         }
-        if (weight < 1.0)
+        if (q < layout__POINT_LIMIT)
         {
-            slip_march__step_second(work, march, (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)), x, step, bound);
-            slip_march__slip_traction(&slip_x, &slip_y, work, march, bound);
-            slip_march__note_largest(work, march, (1.0 - weight) * slip_x, (1.0 - weight) * slip_y);
-            p_x = slip_x + weight * (p_x - slip_x);
-            p_y = slip_y + weight * (p_y - slip_y);
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q));
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = (double)(number);
         }
-        slip_march__add_point(work, march, x, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), p_x, p_y);
-        q += INT64_C(1);
     }
-    return q;
+    return INT64_C(0);
 }
 
-/* What eq. (Z1) has to be changed by to stay within the bound. */
-static inline int64_t slip_march__beyond_bound(double* change_x, double* change_y, array_double_1d work, int64_t march, double x, double bound)
+/* Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``. */
+static inline int64_t slip_march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number, int64_t last)
 {
-    double reach;
+    double depth;
+    int64_t q;
+    double bound;
+    double away;
     double inner;
     double root;
     double p_x;
     double p_y;
     double cut_x;
     double cut_y;
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    inner = reach * reach - (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)));
-    (*change_x) = 0.0;
-    (*change_y) = 0.0;
-    if (inner > 0.0)
+    double weight;
+    depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    for (q = INT64_C(0); q < last; q += INT64_C(1))
     {
-        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * sqrt(inner);
-        p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root);
-        p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
-        tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
-        (*change_x) = cut_x - p_x;
-        (*change_y) = cut_y - p_y;
+        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        away = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) - depth;
+        inner = (1.0 - depth) * (1.0 - depth) - away * away;
+        if (inner > 0.0)
+        {
+            root = sqrt(inner);
+            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root);
+            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
+            tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + number)) += weight * (cut_x - p_x);
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + number)) += weight * (cut_y - p_y);
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) += weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * (cut_y - p_y);
+        }
     }
-    return 0;
+    return INT64_C(0);
 }
 
-/* Add point ``q``, the first one behind the stick zone, and let the second march begin at its edge. */
-static inline int64_t slip_march__cross_edge(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t q)
+/* Add the points of all strips, from the leading edge on, to their sums. */
+static inline int64_t slip_march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, int64_t marches)
 {
-    double a;
+    double before;
+    int64_t slipping;
+    int64_t q;
     double x;
-    double step;
     double bound;
+    int64_t first;
+    int64_t strip;
+    before = 1.0;
+    slipping = slip_march__has_slip(work, marches);
+    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    {
+        x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        first = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        strip = first;
+        while(strip >= INT64_C(0))
+        {
+            slip_march__reach_edge(work, marches, strip, before, x, bound);
+            strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
+        }
+        slip_march__march_first(work, marches, x, bound, before - x);
+        if (slipping == INT64_C(1))
+        {
+            slip_march__march_second(work, marches, x, bound, before - x);
+        }
+        strip = first;
+        while(strip >= INT64_C(0))
+        {
+            slip_march__leave_edge(work, marches, strip, x, bound);
+            slipping = INT64_C(1);
+            strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
+        }
+        before = x;
+    }
+    return INT64_C(0);
+}
+
+/* 1 if slip counts in some strip at its leading edge, else 0. */
+static inline int64_t slip_march__has_slip(array_double_1d work, int64_t marches)
+{
+    int64_t i;
+    int64_t found;
+    found = INT64_C(0);
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) > 0.0)
+        {
+            found = INT64_C(1);
+        }
+    }
+    return found;
+}
+
+/* Let march A of all strips come to ``x``, a ``step`` further, eq. (M1). */
+static inline int64_t slip_march__march_first(array_double_1d work, int64_t marches, double x, double bound, double step)
+{
+    double limit;
+    int64_t i;
+    double at;
+    double along;
+    double across;
+    double square;
+    double cut;
+    limit = bound * bound;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at);
+        square = along * along + across * across;
+        if (square < limit)
+        {
+            square = limit;
+        }
+        cut = bound / sqrt(square);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+    }
+    return INT64_C(0);
+}
+
+/* The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
+ * takes.
+ */
+static inline int64_t slip_march__march_second(array_double_1d work, int64_t marches, double x, double bound, double step)
+{
+    double share;
+    double limit;
+    double soft;
+    int64_t i;
+    double at;
+    double second_x;
+    double second_y;
+    double square;
+    double cut;
+    double along;
+    double across;
+    double scale;
+    double largest;
+    share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE));
+    limit = bound * bound;
+    soft = slip_march__SOFT * slip_march__SOFT * limit;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        second_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
+        second_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at);
+        square = second_x * second_x + second_y * second_y;
+        if (square < limit)
+        {
+            square = limit;
+        }
+        cut = bound / sqrt(square);
+        second_x *= cut;
+        second_y *= cut;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + share * (second_x - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * (second_y - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)));
+        square = along * along + across * across;
+        scale = bound / sqrt((1.0 - slip_march__SOFT * slip_march__SOFT) * square + soft);
+        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale);
+        if (largest < (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
+        {
+            largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
+        }
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
+        scale *= bound * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) += scale * along;
+        across *= scale;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) += across;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += x * across;
+    }
+    return INT64_C(0);
+}
+
+/* The traction of strip ``i`` at the edge of its stick zone, between ``before`` and the point ``x``, and
+ * how much slip counts at that point.
+ */
+static inline int64_t slip_march__reach_edge(array_double_1d work, int64_t marches, int64_t i, double before, double x, double bound)
+{
+    double edge;
     double weight;
     double edge_bound;
     double start_x;
     double start_y;
-    double near_x;
-    double near_y;
-    double second_x;
-    double second_y;
-    double slip_x;
-    double slip_y;
     double to_x;
     double to_y;
-    double p_x;
-    double p_y;
-    double share;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-    bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    slip_march__step_first(work, march, x, step, bound);
-    edge_bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * slip_march__sqrt_of(a * a - (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)));
-    start_x = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * edge_bound;
-    start_y = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * edge_bound;
-    near_x = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * bound;
-    near_y = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * bound;
+    double near;
+    edge = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + i));
+    weight = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + i));
+    edge_bound = slip_march__sqrt_of(1.0 - edge * edge);
+    start_x = weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) * edge_bound;
+    start_y = weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) * edge_bound;
     if (weight < 1.0)
     {
-        second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
-        second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
-        slip_march__step_second(work, march, second_x, second_y, x, step, bound);
-        slip_march__slip_traction(&slip_x, &slip_y, work, march, bound);
-        near_x += (1.0 - weight) * slip_x;
-        near_y += (1.0 - weight) * slip_y;
-        slip_march__stepped(&to_x, &to_y, work, march, INT64_C(1), second_x, second_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)), (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)), edge_bound);
+        slip_march__stepped(&to_x, &to_y, work, marches, i, (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, before - edge);
+        tractions__cut_to(&to_x, &to_y, to_x, to_y, edge_bound);
         start_x += (1.0 - weight) * to_x;
         start_y += (1.0 - weight) * to_y;
     }
-    slip_march__note_largest(work, march, start_x, start_y);
-    slip_march__step_second(work, march, start_x, start_y, x, (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) - x, bound);
-    slip_march__slip_traction(&p_x, &p_y, work, march, bound);
-    share = ((*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) - x) / step;
-    p_x = near_x + share * (p_x - near_x);
-    p_y = near_y + share * (p_y - near_y);
-    slip_march__note_largest(work, march, p_x, p_y);
-    slip_march__add_point(work, march, x, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), p_x, p_y);
+    slip_march__note_largest(work, marches, i, start_x, start_y);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (edge - x) / (before - x);
+    near = 1.0 - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = near * (1.0 - weight);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    weight *= near * bound * bound;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) += weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) += weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += weight * x * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i));
+    return INT64_C(0);
+}
+
+/* Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
+ * traction at ``x``, the first point behind.
+ */
+static inline int64_t slip_march__leave_edge(array_double_1d work, int64_t marches, int64_t i, double x, double bound)
+{
+    double weight;
+    double near;
+    double p_x;
+    double p_y;
+    double slip_x;
+    double slip_y;
+    double step;
+    double to_x;
+    double to_y;
+    double share;
+    weight = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + i));
+    near = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
+    p_x = 0.0;
+    p_y = 0.0;
+    if (weight < 1.0)
+    {
+        slip_march__slip_traction(&slip_x, &slip_y, work, marches, i, bound);
+        p_x = near * slip_x;
+        p_y = near * slip_y;
+    }
+    step = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + i)) - x;
+    slip_march__stepped(&to_x, &to_y, work, marches, i, (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_Y + i)), x, step);
+    tractions__cut_to(&to_x, &to_y, to_x, to_y, bound);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
+    slip_march__slip_traction(&slip_x, &slip_y, work, marches, i, bound);
+    share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    slip_x *= share;
+    slip_y *= share;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) += bound * slip_x;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) += bound * slip_y;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += bound * x * slip_y;
+    weight *= (1.0 - share) * bound;
+    slip_march__note_largest(work, marches, i, p_x + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, p_y + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 1.0;
+    return INT64_C(0);
+}
+
+/* The traction of the second march of strip ``i`` at ``x``, a ``step`` further, not yet cut; eq. (M2). */
+static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y, double x, double step)
+{
+    double across;
+    across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step);
+    (*result_0) = p_x - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
+    (*result_1) = p_y - step * across;
+    return 0;
+}
+
+/* The traction of strip ``i`` of eq. (M5). */
+static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double bound)
+{
+    double along;
+    double across;
+    double square;
+    double scale;
+    along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)));
+    across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)));
+    square = along * along + across * across;
+    scale = bound / sqrt(square + slip_march__SOFT * slip_march__SOFT * (bound * bound - square));
+    (*result_0) = along * scale;
+    (*result_1) = across * scale;
+    return 0;
+}
+
+/* Keep the largest traction of strip ``i``. */
+static inline int64_t slip_march__note_largest(array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y)
+{
+    double square;
+    square = p_x * p_x + p_y * p_y;
+    if (square > (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
+    {
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = square;
+    }
     return INT64_C(0);
 }
 
@@ -360,77 +469,4 @@ static inline double slip_march__sqrt_of(double value)
         root = sqrt(value);
     }
     return root;
-}
-
-/* Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the
- * model takes, so that nothing is kept in the record meanwhile.
- */
-static inline int64_t slip_march__march_slip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t first)
-{
-    double a;
-    double top;
-    double lag;
-    double share;
-    double before;
-    double first_x;
-    double first_y;
-    double second_x;
-    double second_y;
-    double sum_x;
-    double sum_y;
-    double sum_moment;
-    double largest;
-    int64_t q;
-    double x;
-    double weight;
-    double bound;
-    double step;
-    double at;
-    double along;
-    double across;
-    double square;
-    double scale;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
-    share = (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE));
-    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
-    first_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X));
-    first_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y));
-    second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
-    second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
-    sum_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X));
-    sum_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y));
-    sum_moment = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT));
-    largest = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
-    for (q = first; q < layout__POINT_LIMIT; q += INT64_C(1))
-    {
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound = top * weight;
-        step = before - x;
-        before = x;
-        at = x + lag * step;
-        tractions__cut_to(&first_x, &first_y, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at), bound);
-        tractions__cut_to(&second_x, &second_y, second_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))), second_y - step * ((*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at), bound);
-        along = first_x + share * (second_x - first_x);
-        across = first_y + share * (second_y - first_y);
-        square = along * along + across * across;
-        scale = bound / sqrt(square + slip_march__SOFT * slip_march__SOFT * (bound * bound - square) + slip_march__NOTHING);
-        along *= scale;
-        across *= scale;
-        square = along * along + across * across;
-        if (square > largest)
-        {
-            largest = square;
-        }
-        sum_x += weight * along;
-        sum_y += weight * across;
-        sum_moment += weight * x * across;
-    }
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = sum_x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = largest;
-    return INT64_C(0);
 }

@@ -22,6 +22,9 @@
  *
  * Where the stick zone (stick_zone.py) has the weight c < 1, the rest of the traction is that of a strip which
  * slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+ *
+ * All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
+ * of all of them, and compilers do several strips at once.
  */
 
 #ifndef WRCONTACT_KERNEL_SLIP_MARCH_H
@@ -41,19 +44,19 @@ static const double slip_march__SHARE_RATIO = 1.2;
 static const double slip_march__SOFT = 0.05;
 static const double slip_march__NOTHING = 1e-300;
 
-static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march, double plane, double spinning, double ratio);
-static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t march, int64_t index, double p_x, double p_y, double x, double step, double bound);
-static inline int64_t slip_march__step_first(array_double_1d work, int64_t march, double x, double step, double bound);
-static inline int64_t slip_march__beyond_bound(double* change_x, double* change_y, array_double_1d work, int64_t march, double x, double bound);
-static inline int64_t slip_march__step_second(array_double_1d work, int64_t march, double from_x, double from_y, double x, double step, double bound);
-static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t march, double bound);
-static inline int64_t slip_march__note_largest(array_double_1d work, int64_t march, double p_x, double p_y);
-static inline int64_t slip_march__add_point(array_double_1d work, int64_t march, double x, double weight, double p_x, double p_y);
-static inline int64_t slip_march__march_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march);
-static inline int64_t slip_march__march_held(array_double_1d tables, array_double_1d work, int64_t table, int64_t march);
+static inline int64_t slip_march__open_marches(array_double_1d work, int64_t marches, double ratio);
+static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t march, int64_t marches, int64_t number, double plane, double spinning, double ratio);
+static inline int64_t slip_march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number, int64_t last);
+static inline int64_t slip_march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t marches, int64_t number);
+static inline int64_t slip_march__has_slip(array_double_1d work, int64_t marches);
 static inline double slip_march__sqrt_of(double value);
-static inline int64_t slip_march__cross_edge(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t q);
-static inline int64_t slip_march__march_slip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t first);
-static inline int64_t slip_march__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t march);
+static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y, double x, double step);
+static inline int64_t slip_march__note_largest(array_double_1d work, int64_t marches, int64_t i, double p_x, double p_y);
+static inline int64_t slip_march__reach_edge(array_double_1d work, int64_t marches, int64_t i, double before, double x, double bound);
+static inline int64_t slip_march__march_first(array_double_1d work, int64_t marches, double x, double bound, double step);
+static inline int64_t slip_march__march_second(array_double_1d work, int64_t marches, double x, double bound, double step);
+static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t marches, int64_t i, double bound);
+static inline int64_t slip_march__leave_edge(array_double_1d work, int64_t marches, int64_t i, double x, double bound);
+static inline int64_t slip_march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, int64_t marches);
 
 #endif

@@ -86,73 +86,85 @@ static inline int64_t stiffness__fill_equations(array_double_1d tables, array_do
 {
     int64_t i;
     int64_t block;
-    double middle;
-    double own;
     int64_t along;
     int64_t across;
     int64_t turning;
+    double x;
+    double y;
+    double spin;
     int64_t j;
     int64_t other;
     double scale;
-    double low_x;
-    double low_y;
-    double low_spin;
-    double high_x;
-    double high_y;
-    double high_spin;
+    double middle;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        middle = 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)));
-        own = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         along = rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
         across = rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
         turning = rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
-        for (j = INT64_C(0); j < layout__BLOCK_COUNT; j += INT64_C(1))
-        {
-            other = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
-            scale = 1.0 / sqrt(0.5 * (own + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH))));
-            stiffness__reaches(&low_x, &low_y, &low_spin, tables, table, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle) * scale);
-            stiffness__reaches(&high_x, &high_y, &high_spin, tables, table, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle) * scale);
-            (*cspan_at(&work, along + j)) = high_x - low_x;
-            (*cspan_at(&work, across + j)) = high_y - low_y;
-            (*cspan_at(&work, turning + j)) = high_spin - low_spin;
-        }
+        stiffness__reaches(&x, &y, &spin, tables, table, 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
+        (*cspan_at(&work, along + i)) = 2.0 * x;
+        (*cspan_at(&work, across + i)) = 2.0 * y;
+        (*cspan_at(&work, turning + i)) = 2.0 * spin;
         (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        {
+            other = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
+            scale = 1.0 / sqrt(0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH))));
+            middle = 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)));
+            stiffness__reach_beside(tables, work, table, rolling, i, j, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle) * scale, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle) * scale);
+            middle = 0.5 * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)));
+            stiffness__reach_beside(tables, work, table, rolling, j, i, (middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP))) * scale, (middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START))) * scale);
+        }
     }
     return INT64_C(0);
 }
 
-/* S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length. */
-static inline int64_t stiffness__reaches(double* along, double* across, double* turning, array_double_1d tables, int64_t table, double distance)
+/* Phi of block ``i`` and another one ``j``, whose edges are ``near`` and ``far`` from its middle. */
+static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling, int64_t i, int64_t j, double near, double far)
 {
-    double away;
-    double share;
+    double near_x;
+    double near_y;
+    double near_spin;
+    double far_x;
+    double far_y;
+    double far_spin;
+    int64_t along;
+    int64_t across;
+    int64_t turning;
+    stiffness__reaches(&near_x, &near_y, &near_spin, tables, table, near);
+    stiffness__reaches(&far_x, &far_y, &far_spin, tables, table, far);
+    along = rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
+    across = rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
+    turning = rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
+    (*cspan_at(&work, along + j)) = far_x - near_x;
+    (*cspan_at(&work, across + j)) = far_y - near_y;
+    (*cspan_at(&work, turning + j)) = far_spin - near_spin;
+    return INT64_C(0);
+}
+
+/* S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length, which is not
+ * negative.
+ */
+static inline int64_t stiffness__reaches(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double distance)
+{
+    double place;
     int64_t cell;
     double u;
     int64_t at;
-    away = fabs(distance);
-    if (away <= (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE)))
+    place = layout__REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + stiffness__NEAREST));
+    if (!(place < (double)(layout__REACH_CELLS)))
     {
-        share = distance / (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE));
-        (*along) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(0))) * share;
-        (*across) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(1))) * share;
-        (*turning) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(2))) * share;
-        return 0;
+        place = (double)(layout__REACH_CELLS);
     }
-    table_cell__table_cell(&cell, &u, (log(away) - layout__REACH_START) * layout__REACH_PER_UNIT, (double)(layout__REACH_CELLS));
+    cell = (int64_t)(place);
+    u = place - (double)(cell);
     at = layout__REACH_ROW * cell;
-    (*along) = stiffness__reach_cubic(tables, table, at, u);
-    (*across) = stiffness__reach_cubic(tables, table, at + INT64_C(4), u);
-    (*turning) = stiffness__reach_cubic(tables, table, at + INT64_C(8), u);
-    if (distance < 0.0)
-    {
-        (*along) = -(*along);
-        (*across) = -(*across);
-        (*turning) = -(*turning);
-    }
+    (*result_0) = stiffness__reach_cubic(tables, table, at, u);
+    (*result_1) = stiffness__reach_cubic(tables, table, at + INT64_C(4), u);
+    (*result_2) = stiffness__reach_cubic(tables, table, at + INT64_C(8), u);
     return 0;
 }
 

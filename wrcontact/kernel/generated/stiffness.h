@@ -27,16 +27,17 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "shapes.h"
-#include "table_cell.h"
 
 static const double stiffness__SHORT = 0.001;
 static const double stiffness__SOFT = 0.02;
+static const double stiffness__NEAREST = 1e-12;
 static const double stiffness__OWN_UNTIL = 0.4054651081081644;
 static const double stiffness__MEAN_FROM = 1.0986122886681098;
 
 static inline int64_t stiffness__join_strips(array_double_1d work, int64_t rolling);
 static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u);
-static inline int64_t stiffness__reaches(double* along, double* across, double* turning, array_double_1d tables, int64_t table, double distance);
+static inline int64_t stiffness__reaches(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double distance);
+static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling, int64_t i, int64_t j, double near, double far);
 static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table, int64_t rolling);
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations);
 static inline double stiffness__mean_share(double ratio);

@@ -21,6 +21,7 @@ static inline int64_t tangent_coupled_strips__solve_strips_t(array_double_1d wor
 static inline int64_t tangent_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rolling)
 {
     int64_t march;
+    int64_t marches;
     double v1;
     double ratio_t;
     double ratio;
@@ -41,16 +42,15 @@ static inline int64_t tangent_coupled_strips__add_strips_t(array_double_1d work,
     double v4;
     double v5;
     double v6;
+    double v6_t;
     double v7;
-    double v7_t;
-    double v8;
     march = rolling + layout__ROLLING_PATCH_MARCH;
+    marches = rolling + layout__ROLLING_PATCH_MARCHES;
     v1 = (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     ratio_t = ((*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_HALF_WIDTH))) / (*cspan_at(&work, rolling + layout__ROLLING_PATCH_HALF_WIDTH));
     ratio = v1;
     tangent_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, rolling);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = 0.0;
+    tangent_slip_march__open_marches_t(work, work_t, marches, ratio, ratio_t);
     stuck_t = 0.0;
     stuck = 0.0;
     i_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_PATCH_COUNT)));
@@ -64,9 +64,8 @@ static inline int64_t tangent_coupled_strips__add_strips_t(array_double_1d work,
         {
             tangent_coupled_strips__begin_march_t(work, work_t, rolling, strip, rate, rate_t, i);
             tangent_stick_zone__find_stick_zone_t(work, work_t, march, (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
-            tangent_slip_march__set_pushes_t(work, work_t, march, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
-            tangent_slip_march__march_strip_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march);
-            tangent_coupled_strips__finish_march_t(work, work_t, rolling, strip);
+            tangent_slip_march__set_pushes_t(work, work_t, march, marches, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
+            tangent_slip_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, marches, i);
             v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
             v4 = 2.0 * v3;
             v5 = v4 * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
@@ -74,13 +73,12 @@ static inline int64_t tangent_coupled_strips__add_strips_t(array_double_1d work,
             stuck = stuck + v5 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
-    v6 = sqrt((*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)));
-    (*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = tangent_rates__root_rate(v6, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)));
-    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = v6;
-    tangent_tractions__patch_area_t(&v7, &v7_t, work, work_t, rolling);
-    v8 = stuck / v7;
-    (*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = (stuck_t - v8 * v7_t) / v7;
-    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = v8;
+    tangent_slip_march__march_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), marches);
+    tangent_coupled_strips__finish_marches_t(work, work_t, rolling);
+    tangent_tractions__patch_area_t(&v6, &v6_t, work, work_t, rolling);
+    v7 = stuck / v6;
+    (*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = (stuck_t - v7 * v6_t) / v6;
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_STICK_SHARE)) = v7;
     return INT64_C(0);
 }
 
@@ -165,40 +163,55 @@ static inline int64_t tangent_coupled_strips__begin_march_t(array_double_1d work
     return INT64_C(0);
 }
 
-/* Tangent of ``finish_march``. */
-static inline int64_t tangent_coupled_strips__finish_march_t(array_double_1d work, array_double_1d work_t, int64_t rolling, int64_t strip)
+/* Tangent of ``finish_marches``. */
+static inline int64_t tangent_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t rolling)
 {
-    int64_t march;
+    int64_t marches;
+    double largest_t;
+    double largest;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
     double v1;
     double v1_t;
-    double weight_t;
-    double weight;
-    double reach_t;
-    double reach;
+    double unit_t;
+    double unit;
     double v2;
+    double square_t;
+    double square;
     double v3;
+    double v3_t;
     double v4;
     double v5;
-    double inner_t;
-    double inner;
-    double v6;
-    double across_t;
-    double across;
-    march = rolling + layout__ROLLING_PATCH_MARCH;
-    tangent_tractions__point_weight_t(&v1, &v1_t, work, work_t, strip);
-    weight_t = v1_t;
-    weight = v1;
-    reach_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH));
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * 0.5;
-    v3 = v2 * M_PI;
-    v4 = v3 * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    v5 = v4 * reach;
-    inner_t = (((*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) * 0.5 * M_PI * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * reach + v4 * reach_t) * reach + v5 * reach_t;
-    inner = v5 * reach;
-    v6 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
-    across_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * inner + v6 * inner_t;
-    across = v6 * inner;
-    tangent_tractions__add_strip_t(work, work_t, rolling, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * inner, weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) - ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * inner + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * inner_t), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) - across, weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) - across_t, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) - across * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) - (across_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) + across * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))));
+    marches = rolling + layout__ROLLING_PATCH_MARCHES;
+    largest_t = 0.0;
+    largest = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_PATCH_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = rolling + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        tangent_tractions__bound_rate_t(&v1, &v1_t, work, work_t, rolling, strip);
+        unit_t = v1_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        unit = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        v2 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) * unit;
+        square_t = ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i)) * unit + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) * unit_t) * unit + v2 * unit_t;
+        square = v2 * unit;
+        if (square > largest)
+        {
+            largest_t = square_t;
+            largest = square;
+        }
+        if (unit > 0.0)
+        {
+            tangent_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
+            unit_t = unit_t * v3 + unit * v3_t;
+            unit = unit * v3;
+            v4 = unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            tangent_tractions__add_strip_t(work, work_t, rolling, strip, unit * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)), unit_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) + unit * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)), unit_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)), v4 * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)), (unit_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v4 * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+        }
+    }
+    v5 = sqrt(largest);
+    (*cspan_at(&work_t, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = tangent_rates__root_rate(v5, largest_t);
+    (*cspan_at(&work, rolling + layout__ROLLING_PATCH_MAX_SHEAR)) = v5;
     return INT64_C(0);
 }

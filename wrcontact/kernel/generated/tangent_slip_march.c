@@ -5,8 +5,72 @@
 
 #include "tangent_slip_march.h"
 
+/* Tangent of ``open_marches``. */
+static inline int64_t tangent_slip_march__open_marches_t(array_double_1d work, array_double_1d work_t, int64_t marches, double ratio, double ratio_t)
+{
+    int64_t i;
+    int64_t q;
+    double v1;
+    double v2;
+    double square_t;
+    double square;
+    double v3;
+    double v4;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
+    }
+    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    {
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = 0.0;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = -1.0;
+    }
+    v1 = ratio / slip_march__SHARE_RATIO;
+    v2 = ratio / slip_march__SHARE_RATIO;
+    square_t = ratio_t / slip_march__SHARE_RATIO * v2 + v1 * (ratio_t / slip_march__SHARE_RATIO);
+    square = v1 * v2;
+    v3 = 1.0 + square * square;
+    v4 = slip_march__SHARE / v3;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SHARE)) = (-v4) * (square_t * square + square * square_t) / v3;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) = v4;
+    return INT64_C(0);
+}
+
 /* Tangent of ``set_pushes``. */
-static inline int64_t tangent_slip_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
+static inline int64_t tangent_slip_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t marches, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
 {
     double i1_t;
     double i1;
@@ -60,11 +124,15 @@ static inline int64_t tangent_slip_march__set_pushes_t(array_double_1d work, arr
     double v26;
     double v27;
     double v28;
+    double along_t;
+    double along;
     double v29;
-    double square_t;
-    double square;
+    double across_t;
+    double across;
     double v30;
     double v31;
+    double turning_t;
+    double turning;
     i1_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane_t;
     i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
     i2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane_t;
@@ -124,121 +192,589 @@ static inline int64_t tangent_slip_march__set_pushes_t(array_double_1d work, arr
     v25 = slip_march__LAG_FILLS * slip_march__LAG_FILLS;
     v26 = 1.0 + v24 / v25;
     v27 = lag / v26;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG)) = (lag_t - v27 * ((scale_t * fills + scale * fills_t) / v25)) / v26;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG)) = v27;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) * i1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * i1_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * i1;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) * i2 + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * i2_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * i2;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * i3 + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * i3_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * i3;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) * centre + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * centre_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * centre;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) * centre + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * centre_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * centre;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * centre + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * centre_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * centre;
-    v28 = ratio / slip_march__SHARE_RATIO;
-    v29 = ratio / slip_march__SHARE_RATIO;
-    square_t = ratio_t / slip_march__SHARE_RATIO * v29 + v28 * (ratio_t / slip_march__SHARE_RATIO);
-    square = v28 * v29;
-    v30 = 1.0 + square * square;
-    v31 = slip_march__SHARE / v30;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SHARE)) = (-v31) * (square_t * square + square * square_t) / v30;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) = v31;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + number)) = (lag_t - v27 * ((scale_t * fills + scale * fills_t) / v25)) / v26;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + number)) = v27;
+    v28 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    along_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    along = v28;
+    v29 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across = v29;
+    v30 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v31 = v30 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning = v31;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_X + number)) = along_t * i1 + along * i1_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_Y + number)) = across_t * i2 + across * i2_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning_t * i3 + turning * i3_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + number)) = along_t * centre + along * centre_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + number)) = along * centre;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across_t * centre + across * centre_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across * centre;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning_t * centre + turning * centre_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning * centre;
     return INT64_C(0);
 }
 
-/* Tangent of ``march_strip``. */
-static inline int64_t tangent_slip_march__march_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march)
+/* Tangent of ``set_stick``. */
+static inline int64_t tangent_slip_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t marches, int64_t number)
 {
-    int64_t first;
-    int64_t n1;
-    int64_t n2;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    first = INT64_C(0);
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) > 0.0)
+    double weight_t;
+    double weight;
+    double v1;
+    double v2;
+    double v3;
+    double depth_t;
+    double depth;
+    double edge_t;
+    double edge;
+    double total;
+    double moment;
+    int64_t q;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double inner_t;
+    double inner;
+    double v8;
+    double v9;
+    double across_t;
+    double across;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + number)) = -weight_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
+    v1 = 1.0 - weight;
+    v2 = 1.0 - weight;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + number)) = (-weight_t) * v2 + v1 * (-weight_t);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + number)) = v1 * v2;
+    if (weight > 0.0)
     {
-        if (((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < 1.0) || ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0))
+        v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth = v3;
+        edge_t = 2.0 * depth_t;
+        edge = 2.0 * depth - 1.0;
+        total = 0.0;
+        moment = 0.0;
+        q = INT64_C(0);
+        while((q < layout__POINT_LIMIT) && ((*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= edge))
         {
-            n1 = tangent_slip_march__march_stick_t(tables, work, work_t, table, march);
-            first = n1;
+            total = total + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+            moment = moment + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+            q = q + INT64_C(1);
         }
-        else
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICKS + number)) = weight_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + number)) = weight;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE + number)) = edge_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + number)) = edge;
+        v4 = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1));
+        v5 = 1.0 - depth;
+        v6 = v4 * v5;
+        v7 = 1.0 - depth;
+        inner_t = v4 * (-depth_t) * v7 + v6 * (-depth_t);
+        inner = v6 * v7;
+        v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+        v9 = weight * v8;
+        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
+        across = v9 * inner;
+        v10 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        v11 = total - inner;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + number)) = v10 * v11;
+        v12 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + number)) = v12 * total - across;
+        v13 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = v13 * moment - across * depth;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
-            n2 = tangent_slip_march__march_held_t(tables, work, work_t, table, march);
-            first = n2;
+            tangent_slip_march__add_beyond_t(tables, work, work_t, table, march, marches, number, q);
         }
-        if (first < layout__POINT_LIMIT)
+        if (q < layout__POINT_LIMIT)
         {
-            tangent_slip_march__cross_edge_t(tables, work, work_t, table, march, first);
-            first = first + INT64_C(1);
+            (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_AT_POINT + q));
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q));
+            (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = 0.0;
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)) = (double)(number);
         }
     }
-    tangent_slip_march__march_slip_t(tables, work, work_t, table, march, first);
+    return INT64_C(0);
+}
+
+/* Tangent of ``add_beyond``. */
+static inline int64_t tangent_slip_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t marches, int64_t number, int64_t last)
+{
+    double v1;
+    double depth_t;
+    double depth;
+    int64_t q;
+    double bound;
+    double away_t;
+    double away;
+    double v2;
+    double v3;
+    double inner_t;
+    double inner;
+    double v4;
+    double root_t;
+    double root;
+    double v5;
+    double p_x_t;
+    double p_x;
+    double v6;
+    double p_y_t;
+    double p_y;
+    double cut_x;
+    double cut_x_t;
+    double cut_y;
+    double cut_y_t;
+    double weight_t;
+    double weight;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = v1;
+    for (q = INT64_C(0); q < last; q += INT64_C(1))
+    {
+        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        away_t = -depth_t;
+        away = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) - depth;
+        v2 = 1.0 - depth;
+        v3 = 1.0 - depth;
+        inner_t = (-depth_t) * v3 + v2 * (-depth_t) - (away_t * away + away * away_t);
+        inner = v2 * v3 - away * away;
+        if (inner > 0.0)
+        {
+            v4 = sqrt(inner);
+            root_t = tangent_rates__root_rate(v4, inner_t);
+            root = v4;
+            v5 = bound - root;
+            p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
+            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5;
+            v6 = bound - root;
+            p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t);
+            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
+            tangent_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, 0.0);
+            weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            v7 = cut_x - p_x;
+            (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + number)) + (weight_t * v7 + weight * (cut_x_t - p_x_t));
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + number)) + weight * v7;
+            v8 = cut_y - p_y;
+            (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + number)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + number)) + (weight_t * v8 + weight * (cut_y_t - p_y_t));
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + number)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + number)) + weight * v8;
+            v9 = weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+            v10 = cut_y - p_y;
+            (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + (weight_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * v10 + v9 * (cut_y_t - p_y_t));
+            (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + v9 * v10;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``march_strips``. */
+static inline int64_t tangent_slip_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t marches)
+{
+    double before;
+    int64_t slipping;
+    int64_t q;
+    double x;
+    double bound;
+    int64_t first;
+    int64_t strip;
+    before = 1.0;
+    slipping = slip_march__has_slip(work, marches);
+    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    {
+        x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        first = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_AT_POINT + q)));
+        strip = first;
+        while(strip >= INT64_C(0))
+        {
+            tangent_slip_march__reach_edge_t(work, work_t, marches, strip, before, 0.0, x, 0.0, bound, 0.0);
+            strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
+        }
+        tangent_slip_march__march_first_t(work, work_t, marches, x, 0.0, bound, 0.0, before - x, 0.0);
+        if (slipping == INT64_C(1))
+        {
+            tangent_slip_march__march_second_t(work, work_t, marches, x, 0.0, bound, 0.0, before - x, 0.0);
+        }
+        strip = first;
+        while(strip >= INT64_C(0))
+        {
+            tangent_slip_march__leave_edge_t(work, work_t, marches, strip, x, 0.0, bound, 0.0);
+            slipping = INT64_C(1);
+            strip = (int64_t)((*cspan_at(&work, marches + layout__ROLLING_MARCHES_NEXT + strip)));
+        }
+        before = x;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``march_first``. */
+static inline int64_t tangent_slip_march__march_first_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t)
+{
+    double limit_t;
+    double limit;
+    int64_t i;
+    double at_t;
+    double at;
+    double along_t;
+    double along;
+    double v1;
+    double across_t;
+    double across;
+    double square_t;
+    double square;
+    double v2;
+    double v3;
+    double cut_t;
+    double cut;
+    limit_t = bound_t * bound + bound * bound_t;
+    limit = bound * bound;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at_t = x_t + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step_t);
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        along_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_X + i)));
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_X + i));
+        v1 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
+        across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - (step_t * v1 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at_t)));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v1;
+        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        square = along * along + across * across;
+        if (square < limit)
+        {
+            square_t = limit_t;
+            square = limit;
+        }
+        v2 = sqrt(square);
+        v3 = bound / v2;
+        cut_t = (bound_t - v3 * tangent_rates__root_rate(v2, square_t)) / v2;
+        cut = v3;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut_t * along + cut * along_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut_t * across + cut * across_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``march_second``. */
+static inline int64_t tangent_slip_march__march_second_t(array_double_1d work, array_double_1d work_t, int64_t marches, double x, double x_t, double bound, double bound_t, double step, double step_t)
+{
+    double share_t;
+    double share;
+    double limit_t;
+    double limit;
+    double v1;
+    double soft_t;
+    double soft;
+    int64_t i;
+    double at_t;
+    double at;
+    double second_x_t;
+    double second_x;
+    double v2;
+    double second_y_t;
+    double second_y;
+    double square_t;
+    double square;
+    double v3;
+    double v4;
+    double cut_t;
+    double cut;
+    double v5;
+    double along_t;
+    double along;
+    double v6;
+    double across_t;
+    double across;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    double scale_t;
+    double scale;
+    double v11;
+    double v12;
+    double largest_t;
+    double largest;
+    double v13;
+    share_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SHARE));
+    share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE));
+    limit_t = bound_t * bound + bound * bound_t;
+    limit = bound * bound;
+    v1 = slip_march__SOFT * slip_march__SOFT;
+    soft_t = v1 * limit_t;
+    soft = v1 * limit;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        at_t = x_t + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step_t);
+        at = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+        second_x_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + i)));
+        second_x = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
+        v2 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
+        second_y_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (step_t * v2 + step * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at_t)));
+        second_y = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v2;
+        square_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
+        square = second_x * second_x + second_y * second_y;
+        if (square < limit)
+        {
+            square_t = limit_t;
+            square = limit;
+        }
+        v3 = sqrt(square);
+        v4 = bound / v3;
+        cut_t = (bound_t - v4 * tangent_rates__root_rate(v3, square_t)) / v3;
+        cut = v4;
+        second_x_t = second_x_t * cut + second_x * cut_t;
+        second_x = second_x * cut;
+        second_y_t = second_y_t * cut + second_y * cut_t;
+        second_y = second_y * cut;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
+        v5 = second_x - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i));
+        along_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + (share_t * v5 + share * (second_x_t - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i))));
+        along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v5;
+        v6 = second_y - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i));
+        across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + (share_t * v6 + share * (second_y_t - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i))));
+        across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v6;
+        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        square = along * along + across * across;
+        v7 = 1.0 - slip_march__SOFT * slip_march__SOFT;
+        v8 = v7 * square + soft;
+        v9 = sqrt(v8);
+        v10 = bound / v9;
+        scale_t = (bound_t - v10 * tangent_rates__root_rate(v9, v7 * square_t + soft_t)) / v9;
+        scale = v10;
+        v11 = square * scale;
+        v12 = v11 * scale;
+        largest_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) * v12 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v11 * scale_t);
+        largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) * v12;
+        if (largest < (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
+        {
+            largest_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i));
+            largest = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i));
+        }
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
+        v13 = bound * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
+        scale_t = scale_t * v13 + scale * (bound_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)));
+        scale = scale * v13;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) + (scale_t * along + scale * along_t);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) + scale * along;
+        across_t = across_t * scale + across * scale_t;
+        across = across * scale;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + across_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + across;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + (x_t * across + x * across_t);
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + x * across;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``reach_edge``. */
+static inline int64_t tangent_slip_march__reach_edge_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double before, double before_t, double x, double x_t, double bound, double bound_t)
+{
+    double edge_t;
+    double edge;
+    double weight_t;
+    double weight;
+    double v1;
+    double v1_t;
+    double edge_bound_t;
+    double edge_bound;
+    double v2;
+    double start_x_t;
+    double start_x;
+    double v3;
+    double start_y_t;
+    double start_y;
+    double to_x;
+    double to_x_t;
+    double to_y;
+    double to_y_t;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double near_t;
+    double near;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    edge_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE + i));
+    edge = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + i));
+    weight_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICKS + i));
+    weight = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + i));
+    tangent_slip_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, -(edge_t * edge + edge * edge_t));
+    edge_bound_t = v1_t;
+    edge_bound = v1;
+    v2 = weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i));
+    start_x_t = (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_X + i))) * edge_bound + v2 * edge_bound_t;
+    start_x = v2 * edge_bound;
+    v3 = weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i));
+    start_y_t = (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_Y + i))) * edge_bound + v3 * edge_bound_t;
+    start_y = v3 * edge_bound;
+    if (weight < 1.0)
+    {
+        tangent_slip_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, marches, i, (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)), (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, edge_t, before - edge, before_t - edge_t);
+        tangent_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
+        v4 = 1.0 - weight;
+        start_x_t = start_x_t + ((-weight_t) * to_x + v4 * to_x_t);
+        start_x = start_x + v4 * to_x;
+        v5 = 1.0 - weight;
+        start_y_t = start_y_t + ((-weight_t) * to_y + v5 * to_y_t);
+        start_y = start_y + v5 * to_y;
+    }
+    tangent_slip_march__note_largest_t(work, work_t, marches, i, start_x, start_x_t, start_y, start_y_t);
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y;
+    v6 = edge - x;
+    v7 = before - x;
+    v8 = v6 / v7;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (edge_t - x_t - v8 * (before_t - x_t)) / v7;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = v8;
+    near_t = -(*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    near = 1.0 - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    v9 = 1.0 - weight;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)) = near_t * v9 + near * (-weight_t);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = near * v9;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    v10 = near * bound;
+    v11 = v10 * bound;
+    weight_t = weight_t * v11 + weight * ((near_t * bound + near * bound_t) * bound + v10 * bound_t);
+    weight = weight * v11;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) + (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_X + i)));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i));
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_Y + i)));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i));
+    v12 = weight * x;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((weight_t * x + weight * x_t) * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + v12 * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_Y + i)));
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v12 * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i));
+    return INT64_C(0);
+}
+
+/* Tangent of ``leave_edge``. */
+static inline int64_t tangent_slip_march__leave_edge_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double x, double x_t, double bound, double bound_t)
+{
+    double weight_t;
+    double weight;
+    double near_t;
+    double near;
+    double p_x_t;
+    double p_x;
+    double p_y_t;
+    double p_y;
+    double slip_x;
+    double slip_x_t;
+    double slip_y;
+    double slip_y_t;
+    double step_t;
+    double step;
+    double to_x;
+    double to_x_t;
+    double to_y;
+    double to_y_t;
+    double share_t;
+    double share;
+    double v1;
+    double v2;
+    double v3;
+    weight_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICKS + i));
+    weight = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICKS + i));
+    near_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i));
+    near = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i));
+    p_x_t = 0.0;
+    p_x = 0.0;
+    p_y_t = 0.0;
+    p_y = 0.0;
+    if (weight < 1.0)
+    {
+        tangent_slip_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, marches, i, bound, bound_t);
+        p_x_t = near_t * slip_x + near * slip_x_t;
+        p_x = near * slip_x;
+        p_y_t = near_t * slip_y + near * slip_y_t;
+        p_y = near * slip_y;
+    }
+    step_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE + i)) - x_t;
+    step = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE + i)) - x;
+    tangent_slip_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, marches, i, (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_Y + i)), (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_Y + i)), x, x_t, step, step_t);
+    tangent_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y_t;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
+    tangent_slip_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, marches, i, bound, bound_t);
+    share_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    share = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    slip_x_t = slip_x_t * share + slip_x * share_t;
+    slip_x = slip_x * share;
+    slip_y_t = slip_y_t * share + slip_y * share_t;
+    slip_y = slip_y * share;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_X + i)) + (bound_t * slip_x + bound * slip_x_t);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_X + i)) + bound * slip_x;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + (bound_t * slip_y + bound * slip_y_t);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_Y + i)) + bound * slip_y;
+    v1 = bound * x;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((bound_t * x + bound * x_t) * slip_y + v1 * slip_y_t);
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v1 * slip_y;
+    v2 = 1.0 - share;
+    v3 = v2 * bound;
+    weight_t = weight_t * v3 + weight * ((-share_t) * bound + v2 * bound_t);
+    weight = weight * v3;
+    tangent_slip_march__note_largest_t(work, work_t, marches, i, p_x + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, p_x_t + (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_X + i))) + slip_x_t, p_y + weight * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y, p_y_t + (weight_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_STICK_Y + i))) + slip_y_t);
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
+    (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    (*cspan_at(&work, marches + layout__ROLLING_MARCHES_NOTED + i)) = 1.0;
     return INT64_C(0);
 }
 
 /* Tangent of ``stepped``. */
-static inline int64_t tangent_slip_march__stepped_t(double* r2, double* r2_t, double* r3, double* r3_t, array_double_1d work, array_double_1d work_t, int64_t march, int64_t index, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t, double bound, double bound_t)
+static inline int64_t tangent_slip_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t)
 {
     double v1;
     double across_t;
     double across;
-    v1 = x + (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG)) * step;
-    across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + index)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + index)) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + index)) * (x_t + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG)) * step + (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG)) * step_t)));
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + index)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + index)) * v1;
-    tangent_tractions__cut_to_t(r2, r2_t, r3, r3_t, p_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + index)), p_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + index)) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + index))), p_y - step * across, p_y_t - (step_t * across + step * across_t), bound, bound_t);
+    v1 = x + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step;
+    across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (x_t + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LAG + i)) * step_t)));
+    across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1;
+    (*result_0) = p_x - step * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i));
+    (*result_1) = p_x_t - (step_t * (*cspan_at(&work, marches + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_CENTRE_X + i)));
+    (*result_2) = p_y - step * across;
+    (*result_3) = p_y_t - (step_t * across + step * across_t);
     return 0;
 }
 
-/* Tangent of ``step_first``. */
-static inline int64_t tangent_slip_march__step_first_t(array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double step, double step_t, double bound, double bound_t)
-{
-    double p_x;
-    double p_x_t;
-    double p_y;
-    double p_y_t;
-    tangent_slip_march__stepped_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, INT64_C(0), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)), x, x_t, step, step_t, bound, bound_t);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = p_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = p_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = p_y_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = p_y;
-    return INT64_C(0);
-}
-
-/* Tangent of ``step_second``. */
-static inline int64_t tangent_slip_march__step_second_t(array_double_1d work, array_double_1d work_t, int64_t march, double from_x, double from_x_t, double from_y, double from_y_t, double x, double x_t, double step, double step_t, double bound, double bound_t)
-{
-    double p_x;
-    double p_x_t;
-    double p_y;
-    double p_y_t;
-    tangent_slip_march__stepped_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, INT64_C(1), from_x, from_x_t, from_y, from_y_t, x, x_t, step, step_t, bound, bound_t);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X)) = p_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) = p_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y)) = p_y_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) = p_y;
-    return INT64_C(0);
-}
-
 /* Tangent of ``slip_traction``. */
-static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t march, double bound, double bound_t)
+static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double bound, double bound_t)
 {
     double v1;
     double along_t;
@@ -255,17 +791,17 @@ static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, doub
     double v7;
     double scale_t;
     double scale;
-    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X));
-    along_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SHARE)) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X))));
-    along = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * v1;
-    v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y));
-    across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SHARE)) * v2 + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y))));
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE)) * v2;
+    v1 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i));
+    along_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SHARE)) * v1 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_X + i))));
+    along = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_X + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * v1;
+    v2 = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i));
+    across_t = (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SHARE)) * v2 + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_FIRST_Y + i))));
+    across = (*cspan_at(&work, marches + layout__ROLLING_MARCHES_FIRST_Y + i)) + (*cspan_at(&work, marches + layout__ROLLING_MARCHES_SHARE)) * v2;
     square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
     square = along * along + across * across;
     v3 = slip_march__SOFT * slip_march__SOFT;
     v4 = bound * bound - square;
-    v5 = square + v3 * v4 + slip_march__NOTHING;
+    v5 = square + v3 * v4;
     v6 = sqrt(v5);
     v7 = bound / v6;
     scale_t = (bound_t - v7 * tangent_rates__root_rate(v6, square_t + v3 * (bound_t * bound + bound * bound_t - square_t))) / v6;
@@ -277,368 +813,18 @@ static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, doub
     return 0;
 }
 
-/* Tangent of ``add_point``. */
-static inline int64_t tangent_slip_march__add_point_t(array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double weight, double weight_t, double p_x, double p_x_t, double p_y, double p_y_t)
-{
-    double v1;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) + (weight_t * p_x + weight * p_x_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * p_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) + (weight_t * p_y + weight * p_y_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * p_y;
-    v1 = weight * x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + ((weight_t * x + weight * x_t) * p_y + v1 * p_y_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + v1 * p_y;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
-    return INT64_C(0);
-}
-
 /* Tangent of ``note_largest``. */
-static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t march, double p_x, double p_x_t, double p_y, double p_y_t)
+static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t marches, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t)
 {
     double square_t;
     double square;
     square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
     square = p_x * p_x + p_y * p_y;
-    if (square > (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)))
+    if (square > (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)))
     {
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = square_t;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = square;
+        (*cspan_at(&work_t, marches + layout__ROLLING_MARCHES_LARGEST + i)) = square_t;
+        (*cspan_at(&work, marches + layout__ROLLING_MARCHES_LARGEST + i)) = square;
     }
-    return INT64_C(0);
-}
-
-/* Tangent of ``march_held``. */
-static inline int64_t tangent_slip_march__march_held_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march)
-{
-    double a_t;
-    double a;
-    double top_t;
-    double top;
-    double lag_t;
-    double lag;
-    double before_t;
-    double before;
-    double first_x_t;
-    double first_x;
-    double first_y_t;
-    double first_y;
-    double sum_x_t;
-    double sum_x;
-    double sum_moment_t;
-    double sum_moment;
-    double x_t;
-    double x;
-    double bound_t;
-    double bound;
-    double step_t;
-    double step;
-    double v1;
-    double v2;
-    double v3;
-    int64_t q;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    top_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t;
-    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-    lag_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG));
-    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
-    before_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X));
-    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
-    first_x_t = 0.0;
-    first_x = 0.0;
-    first_y_t = 0.0;
-    first_y = 0.0;
-    sum_x_t = 0.0;
-    sum_x = 0.0;
-    sum_moment_t = 0.0;
-    sum_moment = 0.0;
-    q = INT64_C(0);
-    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
-    {
-        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound_t = top_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound = top * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        step_t = before_t - x_t;
-        step = before - x;
-        before_t = x_t;
-        before = x;
-        v1 = x + lag * step;
-        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * v1;
-        tangent_tractions__cut_to_t(&first_x, &first_x_t, &first_y, &first_y_t, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0)))), first_y - step * v2, first_y_t - (step_t * v2 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * (x_t + (lag_t * step + lag * step_t))))), bound, bound_t);
-        sum_x_t = sum_x_t + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound_t;
-        sum_x = sum_x + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
-        v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound;
-        sum_moment_t = sum_moment_t + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * bound_t * x + v3 * x_t);
-        sum_moment = sum_moment + v3 * x;
-        q = q + INT64_C(1);
-    }
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = before_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = before;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = first_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = first_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = first_y;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * sum_x + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * sum_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * sum_moment;
-    return q;
-}
-
-/* Tangent of ``march_stick``. */
-static inline int64_t tangent_slip_march__march_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march)
-{
-    double a_t;
-    double a;
-    double weight_t;
-    double weight;
-    double x_t;
-    double x;
-    double step_t;
-    double step;
-    double v1;
-    double bound_t;
-    double bound;
-    double p_x_t;
-    double p_x;
-    double p_y_t;
-    double p_y;
-    double over_x;
-    double over_x_t;
-    double over_y;
-    double over_y_t;
-    double slip_x;
-    double slip_x_t;
-    double slip_y;
-    double slip_y_t;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    int64_t q;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
-    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    q = INT64_C(0);
-    while((q < layout__POINT_LIMIT) && (a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE))))
-    {
-        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
-        step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-        bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        tangent_slip_march__step_first_t(work, work_t, march, x, x_t, step, step_t, bound, bound_t);
-        p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * bound + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * bound_t;
-        p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * bound;
-        p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * bound + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * bound_t;
-        p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * bound;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
-        {
-            tangent_slip_march__beyond_bound_t(&over_x, &over_x_t, &over_y, &over_y_t, work, work_t, march, x, x_t, bound, bound_t);
-            p_x_t = p_x_t + over_x_t;
-            p_x = p_x + over_x;
-            p_y_t = p_y_t + over_y_t;
-            p_y = p_y + over_y;
-        }
-        if (weight < 1.0)
-        {
-            tangent_slip_march__step_second_t(work, work_t, march, (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y)), x, x_t, step, step_t, bound, bound_t);
-            tangent_slip_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, march, bound, bound_t);
-            v2 = 1.0 - weight;
-            v3 = 1.0 - weight;
-            tangent_slip_march__note_largest_t(work, work_t, march, v2 * slip_x, (-weight_t) * slip_x + v2 * slip_x_t, v3 * slip_y, (-weight_t) * slip_y + v3 * slip_y_t);
-            v4 = p_x - slip_x;
-            p_x_t = slip_x_t + (weight_t * v4 + weight * (p_x_t - slip_x_t));
-            p_x = slip_x + weight * v4;
-            v5 = p_y - slip_y;
-            p_y_t = slip_y_t + (weight_t * v5 + weight * (p_y_t - slip_y_t));
-            p_y = slip_y + weight * v5;
-        }
-        tangent_slip_march__add_point_t(work, work_t, march, x, x_t, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), 0.0, p_x, p_x_t, p_y, p_y_t);
-        q = q + INT64_C(1);
-    }
-    return q;
-}
-
-/* Tangent of ``beyond_bound``. */
-static inline int64_t tangent_slip_march__beyond_bound_t(double* change_x, double* change_x_t, double* change_y, double* change_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t)
-{
-    double reach_t;
-    double reach;
-    double v1;
-    double v2;
-    double inner_t;
-    double inner;
-    double v3;
-    double root_t;
-    double root;
-    double v4;
-    double p_x_t;
-    double p_x;
-    double v5;
-    double p_y_t;
-    double p_y;
-    double cut_x;
-    double cut_x_t;
-    double cut_y;
-    double cut_y_t;
-    reach_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH));
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    v1 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    v2 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * v2 + v1 * (x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))));
-    inner = reach * reach - v1 * v2;
-    (*change_x_t) = 0.0;
-    (*change_x) = 0.0;
-    (*change_y_t) = 0.0;
-    (*change_y) = 0.0;
-    if (inner > 0.0)
-    {
-        v3 = sqrt(inner);
-        root_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * v3 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * tangent_rates__root_rate(v3, inner_t);
-        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v3;
-        v4 = bound - root;
-        p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t);
-        p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v4;
-        v5 = bound - root;
-        p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t);
-        p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
-        tangent_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, bound_t);
-        (*change_x_t) = cut_x_t - p_x_t;
-        (*change_x) = cut_x - p_x;
-        (*change_y_t) = cut_y_t - p_y_t;
-        (*change_y) = cut_y - p_y;
-    }
-    return 0;
-}
-
-/* Tangent of ``cross_edge``. */
-static inline int64_t tangent_slip_march__cross_edge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t q)
-{
-    double a_t;
-    double a;
-    double x_t;
-    double x;
-    double step_t;
-    double step;
-    double v1;
-    double bound_t;
-    double bound;
-    double weight_t;
-    double weight;
-    double v2;
-    double v2_t;
-    double edge_bound_t;
-    double edge_bound;
-    double v3;
-    double start_x_t;
-    double start_x;
-    double v4;
-    double start_y_t;
-    double start_y;
-    double v5;
-    double near_x_t;
-    double near_x;
-    double v6;
-    double near_y_t;
-    double near_y;
-    double second_x_t;
-    double second_x;
-    double second_y_t;
-    double second_y;
-    double slip_x;
-    double slip_x_t;
-    double slip_y;
-    double slip_y_t;
-    double v7;
-    double v8;
-    double to_x;
-    double to_x_t;
-    double to_y;
-    double to_y_t;
-    double v9;
-    double v10;
-    double p_x;
-    double p_x_t;
-    double p_y;
-    double p_y_t;
-    double v11;
-    double v12;
-    double share_t;
-    double share;
-    double v13;
-    double v14;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-    x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-    step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
-    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-    bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-    bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
-    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    tangent_slip_march__step_first_t(work, work_t, march, x, x_t, step, step_t, bound, bound_t);
-    tangent_slip_march__sqrt_of_t(&v2, &v2_t, a * a - (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)), a_t * a + a * a_t - ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE))));
-    edge_bound_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * v2 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v2_t;
-    edge_bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v2;
-    v3 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-    start_x_t = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * edge_bound + v3 * edge_bound_t;
-    start_x = v3 * edge_bound;
-    v4 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-    start_y_t = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * edge_bound + v4 * edge_bound_t;
-    start_y = v4 * edge_bound;
-    v5 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-    near_x_t = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * bound + v5 * bound_t;
-    near_x = v5 * bound;
-    v6 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-    near_y_t = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * bound + v6 * bound_t;
-    near_y = v6 * bound;
-    if (weight < 1.0)
-    {
-        second_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X));
-        second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
-        second_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y));
-        second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
-        tangent_slip_march__step_second_t(work, work_t, march, second_x, second_x_t, second_y, second_y_t, x, x_t, step, step_t, bound, bound_t);
-        tangent_slip_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, march, bound, bound_t);
-        v7 = 1.0 - weight;
-        near_x_t = near_x_t + ((-weight_t) * slip_x + v7 * slip_x_t);
-        near_x = near_x + v7 * slip_x;
-        v8 = 1.0 - weight;
-        near_y_t = near_y_t + ((-weight_t) * slip_y + v8 * slip_y_t);
-        near_y = near_y + v8 * slip_y;
-        tangent_slip_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, march, INT64_C(1), second_x, second_x_t, second_y, second_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)), (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)), edge_bound, edge_bound_t);
-        v9 = 1.0 - weight;
-        start_x_t = start_x_t + ((-weight_t) * to_x + v9 * to_x_t);
-        start_x = start_x + v9 * to_x;
-        v10 = 1.0 - weight;
-        start_y_t = start_y_t + ((-weight_t) * to_y + v10 * to_y_t);
-        start_y = start_y + v10 * to_y;
-    }
-    tangent_slip_march__note_largest_t(work, work_t, march, start_x, start_x_t, start_y, start_y_t);
-    tangent_slip_march__step_second_t(work, work_t, march, start_x, start_x_t, start_y, start_y_t, x, x_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) - x, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) - x_t, bound, bound_t);
-    tangent_slip_march__slip_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, bound, bound_t);
-    v11 = (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) - x;
-    v12 = v11 / step;
-    share_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) - x_t - v12 * step_t) / step;
-    share = v12;
-    v13 = p_x - near_x;
-    p_x_t = near_x_t + (share_t * v13 + share * (p_x_t - near_x_t));
-    p_x = near_x + share * v13;
-    v14 = p_y - near_y;
-    p_y_t = near_y_t + (share_t * v14 + share * (p_y_t - near_y_t));
-    p_y = near_y + share * v14;
-    tangent_slip_march__note_largest_t(work, work_t, march, p_x, p_x_t, p_y, p_y_t);
-    tangent_slip_march__add_point_t(work, work_t, march, x, x_t, (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)), 0.0, p_x, p_x_t, p_y, p_y_t);
     return INT64_C(0);
 }
 
@@ -655,149 +841,4 @@ static inline int64_t tangent_slip_march__sqrt_of_t(double* root, double* root_t
         (*root) = v1;
     }
     return 0;
-}
-
-/* Tangent of ``march_slip``. */
-static inline int64_t tangent_slip_march__march_slip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t first)
-{
-    double a_t;
-    double a;
-    double top_t;
-    double top;
-    double lag_t;
-    double lag;
-    double share_t;
-    double share;
-    double before_t;
-    double before;
-    double first_x_t;
-    double first_x;
-    double first_y_t;
-    double first_y;
-    double second_x_t;
-    double second_x;
-    double second_y_t;
-    double second_y;
-    double sum_x_t;
-    double sum_x;
-    double sum_y_t;
-    double sum_y;
-    double sum_moment_t;
-    double sum_moment;
-    double largest_t;
-    double largest;
-    int64_t q;
-    double x_t;
-    double x;
-    double weight;
-    double bound_t;
-    double bound;
-    double step_t;
-    double step;
-    double at_t;
-    double at;
-    double v1;
-    double v2;
-    double v3;
-    double along_t;
-    double along;
-    double v4;
-    double across_t;
-    double across;
-    double square_t;
-    double square;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double scale_t;
-    double scale;
-    double v10;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    top_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t;
-    top = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-    lag_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LAG));
-    lag = (*cspan_at(&work, march + layout__ROLLING_MARCH_LAG));
-    share_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SHARE));
-    share = (*cspan_at(&work, march + layout__ROLLING_MARCH_SHARE));
-    before_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X));
-    before = (*cspan_at(&work, march + layout__ROLLING_MARCH_X));
-    first_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X));
-    first_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X));
-    first_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y));
-    first_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y));
-    second_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_X));
-    second_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_X));
-    second_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SECOND_Y));
-    second_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SECOND_Y));
-    sum_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X));
-    sum_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X));
-    sum_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y));
-    sum_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y));
-    sum_moment_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT));
-    sum_moment = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT));
-    largest_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST));
-    largest = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
-    for (q = first; q < layout__POINT_LIMIT; q += INT64_C(1))
-    {
-        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound_t = top_t * weight;
-        bound = top * weight;
-        step_t = before_t - x_t;
-        step = before - x;
-        before_t = x_t;
-        before = x;
-        at_t = x_t + (lag_t * step + lag * step_t);
-        at = x + lag * step;
-        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at;
-        tangent_tractions__cut_to_t(&first_x, &first_x_t, &first_y, &first_y_t, first_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))), first_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(0)))), first_y - step * v1, first_y_t - (step_t * v1 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(0))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(0))) * at_t))), bound, bound_t);
-        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at;
-        tangent_tractions__cut_to_t(&second_x, &second_x_t, &second_y, &second_y_t, second_x - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))), second_x_t - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1))) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X + INT64_C(1)))), second_y - step * v2, second_y_t - (step_t * v2 + step * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y + INT64_C(1))) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN + INT64_C(1))) * at_t))), bound, bound_t);
-        v3 = second_x - first_x;
-        along_t = first_x_t + (share_t * v3 + share * (second_x_t - first_x_t));
-        along = first_x + share * v3;
-        v4 = second_y - first_y;
-        across_t = first_y_t + (share_t * v4 + share * (second_y_t - first_y_t));
-        across = first_y + share * v4;
-        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
-        square = along * along + across * across;
-        v5 = slip_march__SOFT * slip_march__SOFT;
-        v6 = bound * bound - square;
-        v7 = square + v5 * v6 + slip_march__NOTHING;
-        v8 = sqrt(v7);
-        v9 = bound / v8;
-        scale_t = (bound_t - v9 * tangent_rates__root_rate(v8, square_t + v5 * (bound_t * bound + bound * bound_t - square_t))) / v8;
-        scale = v9;
-        along_t = along_t * scale + along * scale_t;
-        along = along * scale;
-        across_t = across_t * scale + across * scale_t;
-        across = across * scale;
-        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
-        square = along * along + across * across;
-        if (square > largest)
-        {
-            largest_t = square_t;
-            largest = square;
-        }
-        sum_x_t = sum_x_t + weight * along_t;
-        sum_x = sum_x + weight * along;
-        sum_y_t = sum_y_t + weight * across_t;
-        sum_y = sum_y + weight * across;
-        v10 = weight * x;
-        sum_moment_t = sum_moment_t + (weight * x_t * across + v10 * across_t);
-        sum_moment = sum_moment + v10 * across;
-    }
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = sum_x_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = sum_x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = sum_y;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = sum_moment;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = largest_t;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = largest;
-    return INT64_C(0);
 }

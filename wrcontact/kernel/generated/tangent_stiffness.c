@@ -127,130 +127,143 @@ static inline int64_t tangent_stiffness__fill_equations_t(array_double_1d tables
 {
     int64_t i;
     int64_t block;
-    double v1;
-    double middle_t;
-    double middle;
-    double own_t;
-    double own;
     int64_t along;
     int64_t across;
     int64_t turning;
-    int64_t j;
-    int64_t other;
+    double v1;
     double v2;
     double v3;
+    double x;
+    double x_t;
+    double y;
+    double y_t;
+    double spin;
+    double spin_t;
+    int64_t j;
+    int64_t other;
     double v4;
     double v5;
+    double v6;
+    double v7;
     double scale_t;
     double scale;
-    double v6;
-    double low_x;
-    double low_x_t;
-    double low_y;
-    double low_y_t;
-    double low_spin;
-    double low_spin_t;
-    double v7;
-    double high_x;
-    double high_x_t;
-    double high_y;
-    double high_y_t;
-    double high_spin;
-    double high_spin_t;
+    double v8;
+    double middle_t;
+    double middle;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
-        middle_t = 0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)));
-        middle = 0.5 * v1;
-        own_t = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        own = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         along = rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
         across = rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
         turning = rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
-        for (j = INT64_C(0); j < layout__BLOCK_COUNT; j += INT64_C(1))
-        {
-            other = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
-            v2 = own + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH));
-            v3 = 0.5 * v2;
-            v4 = sqrt(v3);
-            v5 = 1.0 / v4;
-            scale_t = (-v5) * tangent_rates__root_rate(v4, 0.5 * (own_t + ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v4;
-            scale = v5;
-            v6 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle;
-            tangent_stiffness__reaches_t(&low_x, &low_x_t, &low_y, &low_y_t, &low_spin, &low_spin_t, tables, table, v6 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) - middle_t) * scale + v6 * scale_t);
-            v7 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle;
-            tangent_stiffness__reaches_t(&high_x, &high_x_t, &high_y, &high_y_t, &high_spin, &high_spin_t, tables, table, v7 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP)) - middle_t) * scale + v7 * scale_t);
-            (*cspan_at(&work_t, along + j)) = high_x_t - low_x_t;
-            (*cspan_at(&work, along + j)) = high_x - low_x;
-            (*cspan_at(&work_t, across + j)) = high_y_t - low_y_t;
-            (*cspan_at(&work, across + j)) = high_y - low_y;
-            (*cspan_at(&work_t, turning + j)) = high_spin_t - low_spin_t;
-            (*cspan_at(&work, turning + j)) = high_spin - low_spin;
-        }
+        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+        v2 = 0.5 * v1;
+        v3 = v2 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        tangent_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, (0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START))) - v3 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
+        (*cspan_at(&work_t, along + i)) = 2.0 * x_t;
+        (*cspan_at(&work, along + i)) = 2.0 * x;
+        (*cspan_at(&work_t, across + i)) = 2.0 * y_t;
+        (*cspan_at(&work, across + i)) = 2.0 * y;
+        (*cspan_at(&work_t, turning + i)) = 2.0 * spin_t;
+        (*cspan_at(&work, turning + i)) = 2.0 * spin;
         (*cspan_at(&work_t, along + layout__BLOCK_COUNT)) = 0.0;
         (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work_t, across + layout__BLOCK_COUNT)) = 0.0;
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work_t, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        {
+            other = rolling + layout__ROLLING_PATCH_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
+            v4 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH));
+            v5 = 0.5 * v4;
+            v6 = sqrt(v5);
+            v7 = 1.0 / v6;
+            scale_t = (-v7) * tangent_rates__root_rate(v6, 0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v6;
+            scale = v7;
+            v8 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
+            middle_t = 0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)));
+            middle = 0.5 * v8;
+            v9 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle;
+            v10 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle;
+            tangent_stiffness__reach_beside_t(tables, work, work_t, table, rolling, i, j, v9 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) - middle_t) * scale + v9 * scale_t, v10 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP)) - middle_t) * scale + v10 * scale_t);
+            v11 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP));
+            middle_t = 0.5 * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP)));
+            middle = 0.5 * v11;
+            v12 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
+            v13 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+            tangent_stiffness__reach_beside_t(tables, work, work_t, table, rolling, j, i, v12 * scale, (middle_t - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) * scale + v12 * scale_t, v13 * scale, (middle_t - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START))) * scale + v13 * scale_t);
+        }
     }
     return INT64_C(0);
 }
 
-/* Tangent of ``reaches``. */
-static inline int64_t tangent_stiffness__reaches_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d tables, int64_t table, double distance, double distance_t)
+/* Tangent of ``reach_beside``. */
+static inline int64_t tangent_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t rolling, int64_t i, int64_t j, double near, double near_t, double far, double far_t)
 {
-    double away_t;
-    double away;
-    double share_t;
-    double share;
+    double near_x;
+    double near_x_t;
+    double near_y;
+    double near_y_t;
+    double near_spin;
+    double near_spin_t;
+    double far_x;
+    double far_x_t;
+    double far_y;
+    double far_y_t;
+    double far_spin;
+    double far_spin_t;
+    int64_t along;
+    int64_t across;
+    int64_t turning;
+    tangent_stiffness__reaches_t(&near_x, &near_x_t, &near_y, &near_y_t, &near_spin, &near_spin_t, tables, table, near, near_t);
+    tangent_stiffness__reaches_t(&far_x, &far_x_t, &far_y, &far_y_t, &far_spin, &far_spin_t, tables, table, far, far_t);
+    along = rolling + layout__ROLLING_PATCH_EQUATIONS_X + INT64_C(9) * i;
+    across = rolling + layout__ROLLING_PATCH_EQUATIONS_Y + INT64_C(9) * i;
+    turning = rolling + layout__ROLLING_PATCH_EQUATIONS_SPIN + INT64_C(9) * i;
+    (*cspan_at(&work_t, along + j)) = far_x_t - near_x_t;
+    (*cspan_at(&work, along + j)) = far_x - near_x;
+    (*cspan_at(&work_t, across + j)) = far_y_t - near_y_t;
+    (*cspan_at(&work, across + j)) = far_y - near_y;
+    (*cspan_at(&work_t, turning + j)) = far_spin_t - near_spin_t;
+    (*cspan_at(&work, turning + j)) = far_spin - near_spin;
+    return INT64_C(0);
+}
+
+/* Tangent of ``reaches``. */
+static inline int64_t tangent_stiffness__reaches_t(double* v4, double* v4_t, double* v5, double* v5_t, double* v6, double* v6_t, array_double_1d tables, int64_t table, double distance, double distance_t)
+{
     double v1;
-    int64_t cell;
-    double u;
-    double u_t;
-    int64_t at;
     double v2;
-    double v2_t;
     double v3;
-    double v3_t;
-    double v4;
-    double v4_t;
-    away_t = tangent_rates__size_rate(distance, distance_t);
-    away = fabs(distance);
-    if (away <= (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE)))
+    double place_t;
+    double place;
+    int64_t cell;
+    double u_t;
+    double u;
+    int64_t at;
+    v1 = fabs(distance) + stiffness__NEAREST;
+    v2 = sqrt(v1);
+    v3 = sqrt(v2);
+    place_t = layout__REACH_PER_UNIT * tangent_rates__root_rate(v3, tangent_rates__root_rate(v2, tangent_rates__size_rate(distance, distance_t)));
+    place = layout__REACH_PER_UNIT * v3;
+    if (!(place < (double)(layout__REACH_CELLS)))
     {
-        share_t = distance_t / (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE));
-        share = distance / (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_DISTANCE));
-        (*along) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(0))) * share;
-        (*along_t) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(0))) * share_t;
-        (*across) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(1))) * share;
-        (*across_t) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(1))) * share_t;
-        (*turning) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(2))) * share;
-        (*turning_t) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_FIRST_REACHES + INT64_C(2))) * share_t;
-        return 0;
+        place_t = 0.0;
+        place = (double)(layout__REACH_CELLS);
     }
-    v1 = log(away) - layout__REACH_START;
-    tangent_table_cell__table_cell_t(&cell, &u, &u_t, v1 * layout__REACH_PER_UNIT, away_t / away * layout__REACH_PER_UNIT, (double)(layout__REACH_CELLS), 0.0);
+    cell = (int64_t)(place);
+    u_t = place_t;
+    u = place - (double)(cell);
     at = layout__REACH_ROW * cell;
-    tangent_stiffness__reach_cubic_t(&v2, &v2_t, tables, table, at, u, u_t);
-    (*along_t) = v2_t;
-    (*along) = v2;
-    tangent_stiffness__reach_cubic_t(&v3, &v3_t, tables, table, at + INT64_C(4), u, u_t);
-    (*across_t) = v3_t;
-    (*across) = v3;
-    tangent_stiffness__reach_cubic_t(&v4, &v4_t, tables, table, at + INT64_C(8), u, u_t);
-    (*turning_t) = v4_t;
-    (*turning) = v4;
-    if (distance < 0.0)
-    {
-        (*along_t) = -(*along_t);
-        (*along) = -(*along);
-        (*across_t) = -(*across_t);
-        (*across) = -(*across);
-        (*turning_t) = -(*turning_t);
-        (*turning) = -(*turning);
-    }
+    tangent_stiffness__reach_cubic_t(v4, v4_t, tables, table, at, u, u_t);
+    tangent_stiffness__reach_cubic_t(v5, v5_t, tables, table, at + INT64_C(4), u, u_t);
+    tangent_stiffness__reach_cubic_t(v6, v6_t, tables, table, at + INT64_C(8), u, u_t);
     return 0;
 }
 

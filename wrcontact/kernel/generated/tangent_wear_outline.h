@@ -9,11 +9,10 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "tangent_rates.h"
-#include "wear_outline.h"
 
 static inline int64_t tangent_wear_outline__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip);
 static inline int64_t tangent_wear_outline__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t tangent_wear_outline__wear_at_t(double* shear, double* shear_t, double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, double station, double station_t);
+static inline int64_t tangent_wear_outline__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
 static inline int64_t tangent_wear_outline__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t rolling);
 
 #endif

@@ -18,70 +18,76 @@
  */
 static inline int64_t wear_outline__write_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t rolling)
 {
-    int64_t j;
-    double station;
     int64_t number_end;
     int64_t number;
-    int64_t patch;
-    double shear;
-    double slip;
-    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
+    number_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_SIDE_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
-        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
-        number_end = (int64_t)((*cspan_at(&work, rolling + layout__ROLLING_SIDE_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-        {
-            patch = rolling + layout__ROLLING_SIDE_PATCHES + layout__ROLLING_PATCH_SIZE * number;
-            if (wear_outline__reaches(work, patch, station) == INT64_C(1))
-            {
-                wear_outline__wear_at(&shear, &slip, work, patch, station);
-                (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-                (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
-            }
-        }
+        wear_outline__write_patch_wear(work, outline, stations, rolling + layout__ROLLING_SIDE_PATCHES + layout__ROLLING_PATCH_SIZE * number);
     }
     return INT64_C(0);
 }
 
-/* 1 if ``station`` [m] lies in the patch, else 0. */
-static inline int64_t wear_outline__reaches(array_double_1d work, int64_t patch, double station)
+/* Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips. */
+static inline int64_t wear_outline__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch)
 {
     int64_t first;
     int64_t last;
-    int64_t within;
+    double start;
+    double stop;
+    int64_t index;
+    double low_station;
+    double high_station;
+    double low_shear;
+    double low_slip;
+    double high_shear;
+    double high_slip;
+    int64_t j;
+    double station;
+    int64_t strip;
+    double shear;
+    double slip;
+    double share;
     first = patch + layout__ROLLING_PATCH_STRIPS;
     last = patch + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT))) - INT64_C(1));
-    within = INT64_C(0);
-    if ((station > (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH))) && (station < (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH))))
-    {
-        within = INT64_C(1);
-    }
-    return within;
-}
-
-/* Shear [Pa] and slip [m/s] at a station. */
-static inline int64_t wear_outline__wear_at(double* shear, double* slip, array_double_1d work, int64_t patch, double station)
-{
-    int64_t index;
-    int64_t high;
-    int64_t low;
-    double share;
+    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
+    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
     index = INT64_C(0);
-    while((index < (int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT))) - INT64_C(1)) && ((*cspan_at(&work, patch + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index + layout__ROLLING_STRIP_STATION)) < station))
+    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    low_shear = 0.0;
+    low_slip = 0.0;
+    high_shear = wear_outline__strip_shear(work, first);
+    high_slip = wear_outline__strip_slip(work, patch, first);
+    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
     {
-        index += INT64_C(1);
+        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
+        if ((station > start) && (station < stop))
+        {
+            while((index < (int64_t)((*cspan_at(&work, patch + layout__ROLLING_PATCH_COUNT))) - INT64_C(1)) && (high_station < station))
+            {
+                index += INT64_C(1);
+                strip = patch + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+                low_station = high_station;
+                low_shear = high_shear;
+                low_slip = high_slip;
+                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
+                high_shear = wear_outline__strip_shear(work, strip);
+                high_slip = wear_outline__strip_slip(work, patch, strip);
+            }
+            shear = high_shear;
+            slip = high_slip;
+            if ((index > INT64_C(0)) && (station < high_station))
+            {
+                share = (high_station - station) / (high_station - low_station);
+                shear += share * (low_shear - shear);
+                slip += share * (low_slip - slip);
+            }
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
+        }
     }
-    high = patch + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-    (*shear) = wear_outline__strip_shear(work, high);
-    (*slip) = wear_outline__strip_slip(work, patch, high);
-    if ((index > INT64_C(0)) && (station < (*cspan_at(&work, high + layout__ROLLING_STRIP_STATION))))
-    {
-        low = patch + layout__ROLLING_PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (index - INT64_C(1));
-        share = ((*cspan_at(&work, high + layout__ROLLING_STRIP_STATION)) - station) / ((*cspan_at(&work, high + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, low + layout__ROLLING_STRIP_STATION)));
-        (*shear) += share * (wear_outline__strip_shear(work, low) - (*shear));
-        (*slip) += share * (wear_outline__strip_slip(work, patch, low) - (*slip));
-    }
-    return 0;
+    return INT64_C(0);
 }
 
 /* Creep force per area of a strip [Pa]. */

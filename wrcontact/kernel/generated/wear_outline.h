@@ -17,10 +17,9 @@
 #include "../native/spans.h"
 #include "layout.h"
 
-static inline int64_t wear_outline__reaches(array_double_1d work, int64_t patch, double station);
 static inline double wear_outline__strip_shear(array_double_1d work, int64_t strip);
 static inline double wear_outline__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t wear_outline__wear_at(double* shear, double* slip, array_double_1d work, int64_t patch, double station);
+static inline int64_t wear_outline__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
 static inline int64_t wear_outline__write_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t rolling);
 
 #endif

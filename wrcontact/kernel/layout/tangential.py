@@ -17,10 +17,9 @@ SHAPE_PER_UNIT: Final[float] = 4.0
 SHAPE_CELLS: Final[int] = 28
 SHAPE_COLUMNS: Final[int] = 6        # 1/C11, 1/C22, 1/C23 and the factors of strips' stiffnesses
 SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
-# how strips of tractions reach beside themselves, over ln(distance / half-length), likewise
-REACH_START: Final[float] = -7.5
-REACH_PER_UNIT: Final[float] = 8.0
-REACH_CELLS: Final[int] = 93
+# how strips of tractions reach beside themselves, over the fourth root of distance / half-length, likewise
+REACH_PER_UNIT: Final[float] = 32.0
+REACH_CELLS: Final[int] = 90
 REACH_COLUMNS: Final[int] = 3        # longitudinal, lateral, spin
 REACH_ROW: Final[int] = 4 * REACH_COLUMNS
 # what exact forces of ellipses differ from the strips' by, over ln(a/b) and the saturation in polar
@@ -45,9 +44,7 @@ class RollingTable:
     cosines: Float * POINT_LIMIT    # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
     sines: Float * POINT_LIMIT      # and sqrt(1 - (x/a)^2) there
     shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
-    reaches: Float * (REACH_ROW * REACH_CELLS)
-    first_distance: float           # below it reaches are proportional to the distance
-    first_reaches: Float * REACH_COLUMNS
+    reaches: Float * (REACH_ROW * (REACH_CELLS + 1))    # the last row is what stays beyond the cells
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE
@@ -98,7 +95,7 @@ RollingBlocks = RollingBlock * BLOCK_COUNT
 
 @record
 class RollingMarch:
-    """A strip while its tractions are followed from the leading edge on; equations of slip_march.py."""
+    """A strip while its stick zone is found, and FaStrip's tractions; equations of stick_zone.py."""
 
     half_length: float              # a [m]
     rate: float                     # m, bound of the traction over sqrt(a^2 - x^2) [Pa/m]
@@ -114,20 +111,54 @@ class RollingMarch:
     stick_y: float
     twist: float                    # k, share of spin in it
     edge: float                     # where the stick zone begins, -a + 2 d [m]
-    push_x: Float * 2               # what the traction loses per way [Pa/m], of the two marches: along,
-    push_y: Float * 2               # across on the middle,
-    push_turn: Float * 2            # and across per distance from it [Pa/m^2]
-    lag: float                      # where in a step the spin is taken, of the step
-    share: float                    # W, of the second march in the direction of slip
-    x: float                        # where the marches have come to [m]
-    first_x: float                  # tractions of both [Pa]
+    push_x: float                   # FaStrip: what the traction loses per way [Pa/m]: along,
+    push_y: float                   # across on the middle,
+    push_turn: float                # and across per distance from it [Pa/m^2]
+    x: float                        # where it has come to [m]
+    first_x: float                  # traction there, as if nothing stuck [Pa]
     first_y: float
-    second_x: float
-    second_y: float
     sum_x: float                    # sums of tractions over the points,
     sum_y: float
     sum_moment: float               # and of x p_y
     largest: float                  # square of the largest traction [Pa^2]
+
+
+#: A number for each strip.
+StripRow = run(ROLLING_STRIP_LIMIT)
+
+
+@record
+class RollingMarches:
+    """All strips side by side while their tractions are followed; equations of slip_march.py.  Places are
+    over a and tractions over m a."""
+
+    push_x: StripRow                # what the traction of march A loses per way: along,
+    push_y: StripRow                # across on the middle,
+    push_turn: StripRow             # and across per distance from it
+    centre_x: StripRow              # the same of march B
+    centre_y: StripRow
+    centre_turn: StripRow
+    lag: StripRow                   # where in a step the spin is taken, of the step
+    slips: StripRow                 # how much the traction of slip counts,
+    noted: StripRow                 # and the square of it in the largest traction
+    first_x: StripRow               # tractions of both marches
+    first_y: StripRow
+    second_x: StripRow
+    second_y: StripRow
+    sum_x: StripRow                 # sums of tractions over the points,
+    sum_y: StripRow
+    sum_moment: StripRow            # and of x p_y
+    largest: StripRow               # square of the largest traction
+    sticks: StripRow                # c, how much the stick zone counts; 0: the strip slips all over
+    stick_x: StripRow               # e, direction of the stick zone's traction
+    stick_y: StripRow
+    edge: StripRow                  # where the stick zone begins
+    edge_x: StripRow                # traction there
+    edge_y: StripRow
+    edge_share: StripRow            # its way to the next point, of the step between the points around it
+    next: StripRow                  # the next strip whose stick zone ends before the same point; -1: none
+    at_point: Float * POINT_LIMIT   # the first of them
+    share: float                    # W, of march B in the direction of slip
 
 
 @record
@@ -152,6 +183,7 @@ class RollingPatch:
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
     march: RollingMarch
+    marches: RollingMarches
     force_x: float                  # what is found: force on the wheel [N]
     force_y: float
     moment: float                   # and moment about the normal through the point [N m]

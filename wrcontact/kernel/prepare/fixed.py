@@ -4,7 +4,6 @@ It begins with the sizes of its tables: Hertz's, that of influences, and that of
 ratios (binding/rolling_table.py).  The tables follow one after the other.
 """
 
-from math import exp
 from typing import Final
 
 from ..layout import (
@@ -15,7 +14,6 @@ from ..layout import (
     REACH_CELLS,
     REACH_COLUMNS,
     REACH_ROW,
-    REACH_START,
     ROLLING_TABLE_SIZE,
     SHAPE_CELLS,
     SHAPE_ROW,
@@ -92,21 +90,12 @@ def write_shapes(table: RollingTable, fixed: 'float[:]', first: int, poisson_rat
 
 def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
     """The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them."""
-    cells = REACH_ROW * REACH_CELLS
-    size = cells + REACH_COLUMNS
+    size = REACH_ROW * (REACH_CELLS + 1)
     for i in range(size):
-        column = i - cells
-        if i < cells:
-            column = i // 4 % REACH_COLUMNS
         weight = poisson_ratio
-        if column == 0:
+        if i // 4 % REACH_COLUMNS == 0:
             weight = poisson_ratio / (1.0 - poisson_ratio)
-        value = fixed[first + i] + weight * fixed[first + size + i]
-        if i < cells:
-            table.reaches[i] = value
-        else:
-            table.first_reaches[column] = value
-    table.first_distance = exp(REACH_START)
+        table.reaches[i] = fixed[first + i] + weight * fixed[first + size + i]
     return first + 2 * size
 
 

@@ -14,7 +14,7 @@ from math import pi, sqrt
 
 from ..layout import RollingMarch, RollingPatch, RollingStrip, Tables
 from .correction import correct_force
-from .slip_march import march_strip, set_pushes
+from .slip_march import march_strips, open_marches, set_pushes, set_stick
 from .stick_zone import find_stick_zone
 from .stiffness import find_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
@@ -32,9 +32,10 @@ def solve_strips(tables: Tables, rolling: RollingPatch):
 def add_strips(tables: Tables, rolling: RollingPatch):
     """What the strips add up to, without correction."""
     march = rolling.march
+    marches = rolling.marches
     ratio = rolling.half_length / rolling.half_width
     plane, spinning = flexibilities(rolling)
-    march.largest = 0.0
+    open_marches(marches, ratio)
     stuck = 0.0
     for i in range(rolling.count):
         strip = rolling.strips[i]
@@ -42,11 +43,11 @@ def add_strips(tables: Tables, rolling: RollingPatch):
         if rate > 0.0:
             begin_march(rolling, strip, rate, i)
             find_stick_zone(march, strip.width, ratio)
-            set_pushes(march, plane, spinning, ratio)
-            march_strip(tables.rolling, march)
-            finish_march(rolling, strip)
+            set_pushes(march, marches, i, plane, spinning, ratio)
+            set_stick(tables.rolling, march, marches, i)
             stuck += 2.0 * (march.half_length - march.depth) * march.weight * strip.width
-    rolling.max_shear = sqrt(march.largest)
+    march_strips(tables.rolling, marches)
+    finish_marches(rolling)
     rolling.stick_share = stuck / patch_area(rolling)
     return 0
 
@@ -80,13 +81,19 @@ def begin_march(rolling: RollingPatch, strip: RollingStrip, rate: float, index: 
     return 0
 
 
-def finish_march(rolling: RollingPatch, strip: RollingStrip):
-    """Add the strip's force; eqs. (T1), (T2)."""
-    march = rolling.march
-    weight = point_weight(strip)
-    reach = march.half_length - march.depth
-    inner = march.weight * 0.5 * pi * march.rate * reach * reach
-    across = (march.stick_y - march.twist) * inner
-    add_strip(rolling, strip, weight * march.sum_x - march.stick_x * inner, weight * march.sum_y - across,
-              weight * march.sum_moment - across * march.depth)
+def finish_marches(rolling: RollingPatch):
+    """Add the strips' forces, eqs. (T1), (T2), and find the largest traction."""
+    marches = rolling.marches
+    largest = 0.0
+    for i in range(rolling.count):
+        strip = rolling.strips[i]
+        unit = bound_rate(rolling, strip) * strip.half_length
+        square = marches.largest[i] * unit * unit
+        if square > largest:
+            largest = square
+        if unit > 0.0:
+            unit *= point_weight(strip)
+            add_strip(rolling, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],
+                      unit * strip.half_length * marches.sum_moment[i])
+    rolling.max_shear = sqrt(largest)
     return 0

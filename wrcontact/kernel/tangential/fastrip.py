@@ -37,9 +37,9 @@ def solve_fastrip(tables: Tables, rolling: RollingPatch):
             march.rate = rate
             lateral = rolling.creepage_y + rolling.spin * strip.x
             find_stick(march, longitudinal(tables, rolling, strip), lateral, rolling.spin)
-            march.push_x[0] = strip_push(rolling, strip, along, turning)
-            march.push_y[0] = rolling.creepage_y * across + rolling.spin * strip.x * turning
-            march.push_turn[0] = rolling.spin * turning
+            march.push_x = strip_push(rolling, strip, along, turning)
+            march.push_y = rolling.creepage_y * across + rolling.spin * strip.x * turning
+            march.push_turn = rolling.spin * turning
             add_tractions(tables.rolling, rolling, strip)
             stuck += 2.0 * (march.half_length - march.depth) * strip.width
     rolling.max_shear = sqrt(march.largest)
@@ -128,8 +128,8 @@ def next_traction(march: RollingMarch, x: float, bound: float):
     """The traction at the next point ``x``: that of strip theory in the stick zone, the bound in FASTSIM's
     direction behind it."""
     step = march.x - x
-    across = march.push_y[0] + march.push_turn[0] * (x + 0.5 * step)
-    p_x, p_y = cut_to(march.first_x - step * march.push_x[0], march.first_y - step * across, bound)
+    across = march.push_y + march.push_turn * (x + 0.5 * step)
+    p_x, p_y = cut_to(march.first_x - step * march.push_x, march.first_y - step * across, bound)
     march.x = x
     march.first_x = p_x
     march.first_y = p_y

@@ -20,12 +20,15 @@ with t' = t for the new i_j.  The direction is that of c = (1 - W) p_A + W p_B, 
 
 Where the stick zone (stick_zone.py) has the weight c < 1, the rest of the traction is that of a strip which
 slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+
+All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
+of all of them, and compilers do several strips at once.
 """
 
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import POINT_LIMIT, RollingMarch, RollingTable
+from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, RollingMarch, RollingMarches, RollingTable
 from .tractions import cut_to
 
 #: Where a step's spin is taken, in short patches, and how much later in long ones; eq. (M4).
@@ -43,9 +46,37 @@ SOFT: Final[float] = 0.05
 NOTHING: Final[float] = 1e-300
 
 
-def set_pushes(march: RollingMarch, plane: float, spinning: float, ratio: float):
-    """What both marches lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and ``spinning`` = i3/K3
-    [1/m] of the patch, ``ratio`` its a/b."""
+def open_marches(marches: RollingMarches, ratio: float):
+    """Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b."""
+    for i in range(ROLLING_STRIP_LIMIT):
+        marches.push_x[i] = 0.0
+        marches.push_y[i] = 0.0
+        marches.push_turn[i] = 0.0
+        marches.centre_x[i] = 0.0
+        marches.centre_y[i] = 0.0
+        marches.centre_turn[i] = 0.0
+        marches.lag[i] = 0.0
+        marches.slips[i] = 0.0
+        marches.noted[i] = 0.0
+        marches.first_x[i] = 0.0
+        marches.first_y[i] = 0.0
+        marches.second_x[i] = 0.0
+        marches.second_y[i] = 0.0
+        marches.sum_x[i] = 0.0
+        marches.sum_y[i] = 0.0
+        marches.sum_moment[i] = 0.0
+        marches.largest[i] = 0.0
+    for q in range(POINT_LIMIT):
+        marches.at_point[q] = -1.0
+    square = ratio / SHARE_RATIO * (ratio / SHARE_RATIO)
+    marches.share = SHARE / (1.0 + square * square)
+    return 0
+
+
+def set_pushes(march: RollingMarch, marches: RollingMarches, number: int, plane: float, spinning: float,
+               ratio: float):
+    """What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
+    ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b."""
     i1 = march.along * plane
     i2 = march.across * plane
     i3 = march.turning * spinning
@@ -62,196 +93,232 @@ def set_pushes(march: RollingMarch, plane: float, spinning: float, ratio: float)
     i3 = centre + (i3 - centre) * near
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3
     lag = LAG + LONG_LAG * ratio / (ratio + LAG_RATIO)
-    march.lag = lag / (1.0 + scale * fills / (LAG_FILLS * LAG_FILLS))
-    march.push_x[0] = march.slip * i1
-    march.push_y[0] = march.lateral * i2
-    march.push_turn[0] = march.spin * i3
-    march.push_x[1] = march.slip * centre
-    march.push_y[1] = march.lateral * centre
-    march.push_turn[1] = march.spin * centre
-    square = ratio / SHARE_RATIO * (ratio / SHARE_RATIO)
-    march.share = SHARE / (1.0 + square * square)
+    marches.lag[number] = lag / (1.0 + scale * fills / (LAG_FILLS * LAG_FILLS))
+    along = march.slip / march.rate
+    across = march.lateral / march.rate
+    turning = march.spin * march.half_length / march.rate
+    marches.push_x[number] = along * i1
+    marches.push_y[number] = across * i2
+    marches.push_turn[number] = turning * i3
+    marches.centre_x[number] = along * centre
+    marches.centre_y[number] = across * centre
+    marches.centre_turn[number] = turning * centre
     return 0
 
 
-def march_strip(table: RollingTable, march: RollingMarch):
-    """Sums of the tractions over the points of a strip, and the largest of them."""
-    march.x = march.half_length
-    march.first_x = 0.0
-    march.first_y = 0.0
-    march.second_x = 0.0
-    march.second_y = 0.0
-    march.sum_x = 0.0
-    march.sum_y = 0.0
-    march.sum_moment = 0.0
-    first = 0
-    if march.weight > 0.0:
-        if march.weight < 1.0 or march.twist * march.twist > 1.0:
-            first = march_stick(table, march)
-        else:
-            first = march_held(table, march)
-        if first < POINT_LIMIT:
-            cross_edge(table, march, first)
-            first += 1
-    march_slip(table, march, first)
+def set_stick(table: RollingTable, march: RollingMarch, marches: RollingMarches, number: int):
+    """Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
+    points before the edge; the first point behind the edge takes note of the strip."""
+    weight = march.weight
+    marches.slips[number] = 1.0 - weight
+    marches.noted[number] = (1.0 - weight) * (1.0 - weight)
+    if weight > 0.0:
+        depth = march.depth / march.half_length
+        edge = 2.0 * depth - 1.0
+        total = 0.0
+        moment = 0.0
+        q = 0
+        while q < POINT_LIMIT and table.cosines[q] >= edge:
+            total += table.sines[q] * table.sines[q]
+            moment += table.sines[q] * table.sines[q] * table.cosines[q]
+            q += 1
+        marches.sticks[number] = weight
+        marches.stick_x[number] = march.stick_x
+        marches.stick_y[number] = march.stick_y
+        marches.edge[number] = edge
+        inner = 0.5 * float(POINT_LIMIT + 1) * (1.0 - depth) * (1.0 - depth)
+        across = weight * (march.stick_y - march.twist) * inner
+        marches.sum_x[number] = weight * march.stick_x * (total - inner)
+        marches.sum_y[number] = weight * march.stick_y * total - across
+        marches.sum_moment[number] = weight * march.stick_y * moment - across * depth
+        if march.twist * march.twist > 1.0:
+            add_beyond(table, march, marches, number, q)
+        if q < POINT_LIMIT:
+            marches.next[number] = marches.at_point[q]
+            marches.at_point[q] = float(number)
     return 0
 
 
-def stepped(march: RollingMarch, index: int, p_x: float, p_y: float, x: float, step: float, bound: float):
-    """The traction of march ``index`` at ``x``, a ``step`` further, eq. (M1) or (M2)."""
-    across = march.push_y[index] + march.push_turn[index] * (x + march.lag * step)
-    return cut_to(p_x - step * march.push_x[index], p_y - step * across, bound)
-
-
-def step_first(march: RollingMarch, x: float, step: float, bound: float):
-    """Let the first march come to ``x``, a ``step`` further."""
-    p_x, p_y = stepped(march, 0, march.first_x, march.first_y, x, step, bound)
-    march.first_x = p_x
-    march.first_y = p_y
+def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches, number: int, last: int):
+    """Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``."""
+    depth = march.depth / march.half_length
+    for q in range(last):
+        bound = table.sines[q]
+        away = table.cosines[q] - depth
+        inner = (1.0 - depth) * (1.0 - depth) - away * away
+        if inner > 0.0:
+            root = sqrt(inner)
+            p_x = march.stick_x * (bound - root)
+            p_y = march.stick_y * (bound - root) + march.twist * root
+            cut_x, cut_y = cut_to(p_x, p_y, bound)
+            weight = march.weight * bound
+            marches.sum_x[number] += weight * (cut_x - p_x)
+            marches.sum_y[number] += weight * (cut_y - p_y)
+            marches.sum_moment[number] += weight * table.cosines[q] * (cut_y - p_y)
     return 0
 
 
-def step_second(march: RollingMarch, from_x: float, from_y: float, x: float, step: float, bound: float):
-    """Let the second march come to ``x``, a ``step`` further, from this traction."""
-    p_x, p_y = stepped(march, 1, from_x, from_y, x, step, bound)
-    march.second_x = p_x
-    march.second_y = p_y
+def march_strips(table: RollingTable, marches: RollingMarches):
+    """Add the points of all strips, from the leading edge on, to their sums."""
+    before = 1.0
+    slipping = has_slip(marches)
+    for q in range(POINT_LIMIT):
+        x = table.cosines[q]
+        bound = table.sines[q]
+        first = int(marches.at_point[q])
+        strip = first
+        while strip >= 0:
+            reach_edge(marches, strip, before, x, bound)
+            strip = int(marches.next[strip])
+        march_first(marches, x, bound, before - x)
+        if slipping == 1:
+            march_second(marches, x, bound, before - x)
+        strip = first
+        while strip >= 0:
+            leave_edge(marches, strip, x, bound)
+            slipping = 1
+            strip = int(marches.next[strip])
+        before = x
     return 0
 
 
-def slip_traction(march: RollingMarch, bound: float):
-    """The traction of eq. (M5)."""
-    along = march.first_x + march.share * (march.second_x - march.first_x)
-    across = march.first_y + march.share * (march.second_y - march.first_y)
+def has_slip(marches: RollingMarches):
+    """1 if slip counts in some strip at its leading edge, else 0."""
+    found = 0
+    for i in range(ROLLING_STRIP_LIMIT):
+        if marches.slips[i] > 0.0:
+            found = 1
+    return found
+
+
+def march_first(marches: RollingMarches, x: float, bound: float, step: float):
+    """Let march A of all strips come to ``x``, a ``step`` further, eq. (M1)."""
+    limit = bound * bound
+    for i in range(ROLLING_STRIP_LIMIT):
+        at = x + marches.lag[i] * step
+        along = marches.first_x[i] - step * marches.push_x[i]
+        across = marches.first_y[i] - step * (marches.push_y[i] + marches.push_turn[i] * at)
+        square = along * along + across * across
+        if square < limit:
+            square = limit
+        cut = bound / sqrt(square)
+        marches.first_x[i] = cut * along
+        marches.first_y[i] = cut * across
+    return 0
+
+
+def march_second(marches: RollingMarches, x: float, bound: float, step: float):
+    """The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
+    takes."""
+    share = marches.share
+    limit = bound * bound
+    soft = SOFT * SOFT * limit
+    for i in range(ROLLING_STRIP_LIMIT):
+        at = x + marches.lag[i] * step
+        second_x = marches.second_x[i] - step * marches.centre_x[i]
+        second_y = marches.second_y[i] - step * (marches.centre_y[i] + marches.centre_turn[i] * at)
+        square = second_x * second_x + second_y * second_y
+        if square < limit:
+            square = limit
+        cut = bound / sqrt(square)
+        second_x *= cut
+        second_y *= cut
+        marches.second_x[i] = second_x
+        marches.second_y[i] = second_y
+        along = marches.first_x[i] + share * (second_x - marches.first_x[i])
+        across = marches.first_y[i] + share * (second_y - marches.first_y[i])
+        square = along * along + across * across
+        scale = bound / sqrt((1.0 - SOFT * SOFT) * square + soft)
+        largest = marches.noted[i] * (square * scale * scale)
+        if largest < marches.largest[i]:
+            largest = marches.largest[i]
+        marches.largest[i] = largest
+        scale *= bound * marches.slips[i]
+        marches.sum_x[i] += scale * along
+        across *= scale
+        marches.sum_y[i] += across
+        marches.sum_moment[i] += x * across
+    return 0
+
+
+def reach_edge(marches: RollingMarches, i: int, before: float, x: float, bound: float):
+    """The traction of strip ``i`` at the edge of its stick zone, between ``before`` and the point ``x``, and
+    how much slip counts at that point."""
+    edge = marches.edge[i]
+    weight = marches.sticks[i]
+    edge_bound = sqrt_of(1.0 - edge * edge)
+    start_x = weight * marches.stick_x[i] * edge_bound
+    start_y = weight * marches.stick_y[i] * edge_bound
+    if weight < 1.0:
+        to_x, to_y = stepped(marches, i, marches.second_x[i], marches.second_y[i], edge, before - edge)
+        to_x, to_y = cut_to(to_x, to_y, edge_bound)
+        start_x += (1.0 - weight) * to_x
+        start_y += (1.0 - weight) * to_y
+    note_largest(marches, i, start_x, start_y)
+    marches.edge_x[i] = start_x
+    marches.edge_y[i] = start_y
+    marches.edge_share[i] = (edge - x) / (before - x)
+    near = 1.0 - marches.edge_share[i]
+    marches.slips[i] = near * (1.0 - weight)
+    marches.noted[i] = 0.0
+    weight *= near * bound * bound
+    marches.sum_x[i] += weight * marches.stick_x[i]
+    marches.sum_y[i] += weight * marches.stick_y[i]
+    marches.sum_moment[i] += weight * x * marches.stick_y[i]
+    return 0
+
+
+def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
+    """Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
+    traction at ``x``, the first point behind."""
+    weight = marches.sticks[i]
+    near = marches.slips[i]
+    p_x = 0.0
+    p_y = 0.0
+    if weight < 1.0:
+        slip_x, slip_y = slip_traction(marches, i, bound)
+        p_x = near * slip_x
+        p_y = near * slip_y
+    step = marches.edge[i] - x
+    to_x, to_y = stepped(marches, i, marches.edge_x[i], marches.edge_y[i], x, step)
+    to_x, to_y = cut_to(to_x, to_y, bound)
+    marches.second_x[i] = to_x
+    marches.second_y[i] = to_y
+    slip_x, slip_y = slip_traction(marches, i, bound)
+    share = marches.edge_share[i]
+    slip_x *= share
+    slip_y *= share
+    marches.sum_x[i] += bound * slip_x
+    marches.sum_y[i] += bound * slip_y
+    marches.sum_moment[i] += bound * x * slip_y
+    weight *= (1.0 - share) * bound
+    note_largest(marches, i, p_x + weight * marches.stick_x[i] + slip_x,
+                 p_y + weight * marches.stick_y[i] + slip_y)
+    marches.slips[i] = 1.0
+    marches.noted[i] = 1.0
+    return 0
+
+
+def stepped(marches: RollingMarches, i: int, p_x: float, p_y: float, x: float, step: float):
+    """The traction of the second march of strip ``i`` at ``x``, a ``step`` further, not yet cut; eq. (M2)."""
+    across = marches.centre_y[i] + marches.centre_turn[i] * (x + marches.lag[i] * step)
+    return p_x - step * marches.centre_x[i], p_y - step * across
+
+
+def slip_traction(marches: RollingMarches, i: int, bound: float):
+    """The traction of strip ``i`` of eq. (M5)."""
+    along = marches.first_x[i] + marches.share * (marches.second_x[i] - marches.first_x[i])
+    across = marches.first_y[i] + marches.share * (marches.second_y[i] - marches.first_y[i])
     square = along * along + across * across
-    scale = bound / sqrt(square + SOFT * SOFT * (bound * bound - square) + NOTHING)
+    scale = bound / sqrt(square + SOFT * SOFT * (bound * bound - square))
     return along * scale, across * scale
 
 
-def add_point(march: RollingMarch, x: float, weight: float, p_x: float, p_y: float):
-    """Add the traction of a point to the sums."""
-    march.sum_x += weight * p_x
-    march.sum_y += weight * p_y
-    march.sum_moment += weight * x * p_y
-    march.x = x
-    return 0
-
-
-def note_largest(march: RollingMarch, p_x: float, p_y: float):
-    """Keep the largest traction."""
+def note_largest(marches: RollingMarches, i: int, p_x: float, p_y: float):
+    """Keep the largest traction of strip ``i``."""
     square = p_x * p_x + p_y * p_y
-    if square > march.largest:
-        march.largest = square
-    return 0
-
-
-def march_held(table: RollingTable, march: RollingMarch):
-    """Add the points of a stick zone that counts as a whole and stays within the bound, without the second
-    root of eq. (Z1); the first point behind."""
-    a = march.half_length
-    top = march.rate * a
-    lag = march.lag
-    before = march.x
-    first_x = 0.0
-    first_y = 0.0
-    sum_x = 0.0
-    sum_moment = 0.0
-    q = 0
-    while q < POINT_LIMIT and a * table.cosines[q] >= march.edge:
-        x = a * table.cosines[q]
-        bound = top * table.sines[q]
-        step = before - x
-        before = x
-        first_x, first_y = cut_to(first_x - step * march.push_x[0],
-                                  first_y - step * (march.push_y[0] + march.push_turn[0] * (x + lag * step)),
-                                  bound)
-        sum_x += table.sines[q] * bound
-        sum_moment += table.sines[q] * bound * x
-        q += 1
-    march.x = before
-    march.first_x = first_x
-    march.first_y = first_y
-    march.sum_x = march.stick_x * sum_x
-    march.sum_y = march.stick_y * sum_x
-    march.sum_moment = march.stick_y * sum_moment
-    return q
-
-
-def march_stick(table: RollingTable, march: RollingMarch):
-    """Add the points of the stick zone, without the second root of eq. (Z1) but for what cuts it to the
-    bound; the first point behind."""
-    a = march.half_length
-    weight = march.weight
-    q = 0
-    while q < POINT_LIMIT and a * table.cosines[q] >= march.edge:
-        x = a * table.cosines[q]
-        step = march.x - x
-        bound = march.rate * a * table.sines[q]
-        step_first(march, x, step, bound)
-        p_x = march.stick_x * bound
-        p_y = march.stick_y * bound
-        if march.twist * march.twist > 1.0:
-            over_x, over_y = beyond_bound(march, x, bound)
-            p_x += over_x
-            p_y += over_y
-        if weight < 1.0:
-            step_second(march, march.second_x, march.second_y, x, step, bound)
-            slip_x, slip_y = slip_traction(march, bound)
-            note_largest(march, (1.0 - weight) * slip_x, (1.0 - weight) * slip_y)
-            p_x = slip_x + weight * (p_x - slip_x)
-            p_y = slip_y + weight * (p_y - slip_y)
-        add_point(march, x, table.sines[q], p_x, p_y)
-        q += 1
-    return q
-
-
-def beyond_bound(march: RollingMarch, x: float, bound: float):
-    """What eq. (Z1) has to be changed by to stay within the bound."""
-    reach = march.half_length - march.depth
-    inner = reach * reach - (x - march.depth) * (x - march.depth)
-    change_x = 0.0
-    change_y = 0.0
-    if inner > 0.0:
-        root = march.rate * sqrt(inner)
-        p_x = march.stick_x * (bound - root)
-        p_y = march.stick_y * (bound - root) + march.twist * root
-        cut_x, cut_y = cut_to(p_x, p_y, bound)
-        change_x = cut_x - p_x
-        change_y = cut_y - p_y
-    return change_x, change_y
-
-
-def cross_edge(table: RollingTable, march: RollingMarch, q: int):
-    """Add point ``q``, the first one behind the stick zone, and let the second march begin at its edge."""
-    a = march.half_length
-    x = a * table.cosines[q]
-    step = march.x - x
-    bound = march.rate * a * table.sines[q]
-    weight = march.weight
-    step_first(march, x, step, bound)
-    edge_bound = march.rate * sqrt_of(a * a - march.edge * march.edge)
-    start_x = weight * march.stick_x * edge_bound
-    start_y = weight * march.stick_y * edge_bound
-    near_x = weight * march.stick_x * bound
-    near_y = weight * march.stick_y * bound
-    if weight < 1.0:
-        second_x = march.second_x
-        second_y = march.second_y
-        step_second(march, second_x, second_y, x, step, bound)
-        slip_x, slip_y = slip_traction(march, bound)
-        near_x += (1.0 - weight) * slip_x
-        near_y += (1.0 - weight) * slip_y
-        to_x, to_y = stepped(march, 1, second_x, second_y, march.edge, march.x - march.edge, edge_bound)
-        start_x += (1.0 - weight) * to_x
-        start_y += (1.0 - weight) * to_y
-    note_largest(march, start_x, start_y)
-    step_second(march, start_x, start_y, x, march.edge - x, bound)
-    p_x, p_y = slip_traction(march, bound)
-    share = (march.edge - x) / step
-    p_x = near_x + share * (p_x - near_x)
-    p_y = near_y + share * (p_y - near_y)
-    note_largest(march, p_x, p_y)
-    add_point(march, x, table.sines[q], p_x, p_y)
+    if square > marches.largest[i]:
+        marches.largest[i] = square
     return 0
 
 
@@ -261,49 +328,3 @@ def sqrt_of(value: float):
     if value > 0.0:
         root = sqrt(value)
     return root
-
-
-def march_slip(table: RollingTable, march: RollingMarch, first: int):
-    """Add the points of the slip zone from ``first`` on: eqs. (M1), (M2), (M5), most of all time that the
-    model takes, so that nothing is kept in the record meanwhile."""
-    a = march.half_length
-    top = march.rate * a
-    lag = march.lag
-    share = march.share
-    before = march.x
-    first_x = march.first_x
-    first_y = march.first_y
-    second_x = march.second_x
-    second_y = march.second_y
-    sum_x = march.sum_x
-    sum_y = march.sum_y
-    sum_moment = march.sum_moment
-    largest = march.largest
-    for q in range(first, POINT_LIMIT):
-        x = a * table.cosines[q]
-        weight = table.sines[q]
-        bound = top * weight
-        step = before - x
-        before = x
-        at = x + lag * step
-        first_x, first_y = cut_to(first_x - step * march.push_x[0],
-                                  first_y - step * (march.push_y[0] + march.push_turn[0] * at), bound)
-        second_x, second_y = cut_to(second_x - step * march.push_x[1],
-                                    second_y - step * (march.push_y[1] + march.push_turn[1] * at), bound)
-        along = first_x + share * (second_x - first_x)
-        across = first_y + share * (second_y - first_y)
-        square = along * along + across * across
-        scale = bound / sqrt(square + SOFT * SOFT * (bound * bound - square) + NOTHING)
-        along *= scale
-        across *= scale
-        square = along * along + across * across
-        if square > largest:
-            largest = square
-        sum_x += weight * along
-        sum_y += weight * across
-        sum_moment += weight * x * across
-    march.sum_x = sum_x
-    march.sum_y = sum_y
-    march.sum_moment = sum_moment
-    march.largest = largest
-    return 0

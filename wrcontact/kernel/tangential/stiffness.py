@@ -27,7 +27,6 @@ from ..layout import (
     REACH_CELLS,
     REACH_PER_UNIT,
     REACH_ROW,
-    REACH_START,
     BlockMatrix,
     RollingBlock,
     RollingBlocks,
@@ -35,13 +34,14 @@ from ..layout import (
     RollingTable,
     Tables,
 )
-from ..surface.table_cell import table_cell
 from .shapes import shape_place, shape_value
 
 #: Pairs of strips are at least as long as this share of the ellipse.
 SHORT: Final[float] = 1e-3
 #: Stiffnesses are at least this share of their mean.
 SOFT: Final[float] = 0.02
+#: In place of no distance, whose roots have no slope.
+NEAREST: Final[float] = 1e-12
 #: ln(a/b) from where on spin's stiffness is no longer that of each strip, and where it is the mean.
 OWN_UNTIL: Final[float] = 0.405465108108164381978      # ln 1.5
 MEAN_FROM: Final[float] = 1.098612288668109691395      # ln 3
@@ -89,41 +89,50 @@ def fill_equations(table: RollingTable, rolling: RollingPatch):
     """Phi of eq. (K2), and the right-hand sides of unit creepages."""
     for i in range(BLOCK_COUNT):
         block = rolling.blocks[i]
-        middle = 0.5 * (block.start + block.stop)
-        own = block.half_length * block.half_length
         along = rolling.equations_x[i]
         across = rolling.equations_y[i]
         turning = rolling.equations_spin[i]
-        for j in range(BLOCK_COUNT):
-            other = rolling.blocks[j]
-            scale = 1.0 / sqrt(0.5 * (own + other.half_length * other.half_length))
-            low_x, low_y, low_spin = reaches(table, (other.start - middle) * scale)
-            high_x, high_y, high_spin = reaches(table, (other.stop - middle) * scale)
-            along[j] = high_x - low_x
-            across[j] = high_y - low_y
-            turning[j] = high_spin - low_spin
+        x, y, spin = reaches(table, 0.5 * (block.stop - block.start) / block.half_length)
+        along[i] = 2.0 * x
+        across[i] = 2.0 * y
+        turning[i] = 2.0 * spin
         along[BLOCK_COUNT] = 1.0
         across[BLOCK_COUNT] = 1.0
         turning[BLOCK_COUNT] = block.half_length
+        for j in range(i + 1, BLOCK_COUNT):
+            other = rolling.blocks[j]
+            scale = 1.0 / sqrt(0.5 * (block.half_length * block.half_length
+                                      + other.half_length * other.half_length))
+            middle = 0.5 * (block.start + block.stop)
+            reach_beside(table, rolling, i, j, (other.start - middle) * scale, (other.stop - middle) * scale)
+            middle = 0.5 * (other.start + other.stop)
+            reach_beside(table, rolling, j, i, (middle - block.stop) * scale, (middle - block.start) * scale)
+    return 0
+
+
+def reach_beside(table: RollingTable, rolling: RollingPatch, i: int, j: int, near: float, far: float):
+    """Phi of block ``i`` and another one ``j``, whose edges are ``near`` and ``far`` from its middle."""
+    near_x, near_y, near_spin = reaches(table, near)
+    far_x, far_y, far_spin = reaches(table, far)
+    along = rolling.equations_x[i]
+    across = rolling.equations_y[i]
+    turning = rolling.equations_spin[i]
+    along[j] = far_x - near_x
+    across[j] = far_y - near_y
+    turning[j] = far_spin - near_spin
     return 0
 
 
 def reaches(table: RollingTable, distance: float):
-    """S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length."""
-    away = fabs(distance)
-    if away <= table.first_distance:
-        share = distance / table.first_distance
-        return table.first_reaches[0] * share, table.first_reaches[1] * share, table.first_reaches[2] * share
-    cell, u = table_cell((log(away) - REACH_START) * REACH_PER_UNIT, float(REACH_CELLS))
+    """S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length, which is not
+    negative."""
+    place = REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + NEAREST))
+    if not place < float(REACH_CELLS):
+        place = float(REACH_CELLS)
+    cell = int(place)
+    u = place - float(cell)
     at = REACH_ROW * cell
-    along = reach_cubic(table, at, u)
-    across = reach_cubic(table, at + 4, u)
-    turning = reach_cubic(table, at + 8, u)
-    if distance < 0.0:
-        along = -along
-        across = -across
-        turning = -turning
-    return along, across, turning
+    return reach_cubic(table, at, u), reach_cubic(table, at + 4, u), reach_cubic(table, at + 8, u)
 
 
 def reach_cubic(table: RollingTable, at: int, u: float):

@@ -17,41 +17,45 @@ from ..layout import Outline, RollingPatch, RollingSide, RollingStrip
 def write_wear(outline: Outline, stations: int, rolling: RollingSide):
     """Shear [Pa] and slip [m/s] of the patches of a wheel at the ``stations`` of its outline; zero between
     patches."""
-    for j in range(1, stations - 1):
-        station = outline.numbers[j]
-        for number in range(rolling.count):
-            patch = rolling.patches[number]
-            if reaches(patch, station) == 1:
-                shear, slip = wear_at(patch, station)
-                outline.numbers[3 * stations + j] = shear
-                outline.numbers[4 * stations + j] = slip
+    for number in range(rolling.count):
+        write_patch_wear(outline, stations, rolling.patches[number])
     return 0
 
 
-def reaches(patch: RollingPatch, station: float):
-    """1 if ``station`` [m] lies in the patch, else 0."""
+def write_patch_wear(outline: Outline, stations: int, patch: RollingPatch):
+    """Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips."""
     first = patch.strips[0]
     last = patch.strips[patch.count - 1]
-    within = 0
-    if station > first.station - 0.5 * first.width and station < last.station + 0.5 * last.width:
-        within = 1
-    return within
-
-
-def wear_at(patch: RollingPatch, station: float):
-    """Shear [Pa] and slip [m/s] at a station."""
+    start = first.station - 0.5 * first.width
+    stop = last.station + 0.5 * last.width
     index = 0
-    while index < patch.count - 1 and patch.strips[index].station < station:
-        index += 1
-    high = patch.strips[index]
-    shear = strip_shear(high)
-    slip = strip_slip(patch, high)
-    if index > 0 and station < high.station:
-        low = patch.strips[index - 1]
-        share = (high.station - station) / (high.station - low.station)
-        shear += share * (strip_shear(low) - shear)
-        slip += share * (strip_slip(patch, low) - slip)
-    return shear, slip
+    low_station = first.station
+    high_station = first.station
+    low_shear = 0.0
+    low_slip = 0.0
+    high_shear = strip_shear(first)
+    high_slip = strip_slip(patch, first)
+    for j in range(1, stations - 1):
+        station = outline.numbers[j]
+        if station > start and station < stop:
+            while index < patch.count - 1 and high_station < station:
+                index += 1
+                strip = patch.strips[index]
+                low_station = high_station
+                low_shear = high_shear
+                low_slip = high_slip
+                high_station = strip.station
+                high_shear = strip_shear(strip)
+                high_slip = strip_slip(patch, strip)
+            shear = high_shear
+            slip = high_slip
+            if index > 0 and station < high_station:
+                share = (high_station - station) / (high_station - low_station)
+                shear += share * (low_shear - shear)
+                slip += share * (low_slip - slip)
+            outline.numbers[3 * stations + j] = shear
+            outline.numbers[4 * stations + j] = slip
+    return 0
 
 
 def strip_shear(strip: RollingStrip):
