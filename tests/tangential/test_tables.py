@@ -84,6 +84,8 @@ def test_reaches_are_those_of_the_trial_program(nu):
     assert np.all(near > 0.0) and np.all(np.diff(near, axis=0) > 0.0)
     assert np.all(np.array(stiffness.reaches(table, 0.0)) < 1e-8)
     np.testing.assert_array_equal(stiffness.reaches(table, 100.0), stiffness.reaches(table, 1e9))
+    # and a half far away: a tail that falls like the square of the distance
+    np.testing.assert_allclose(stiffness.reaches(table, 1e3), np.full(3, 0.5), atol=1e-3)
 
 
 def test_factors_are_those_of_the_trial_program():
