@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 from shutil import rmtree
 from statistics import median
+from types import MappingProxyType
 
 import numpy as np
 from fmpy import extract, read_model_description
@@ -72,9 +73,12 @@ def steps(folder):
 
 
 class Instance:
-    """One initialised FMU, and the session inside it: it runs in this process."""
+    """One initialised FMU, and the session inside it: it runs in this process.
 
-    def __init__(self, unpacked):
+    ``strings`` are parameters by name, ``moved`` the names of the inputs that steps set.
+    """
+
+    def __init__(self, unpacked, strings=MappingProxyType({}), moved=MOVED):
         description = read_model_description(unpacked)
         self.slave = FMU2Slave(
             guid=description.guid,
@@ -83,11 +87,13 @@ class Instance:
             instanceName="benchmark",
         )
         self.slave.instantiate()
+        named = {v.name: v.valueReference for v in description.modelVariables}
+        self.slave.setString([named[name] for name in strings], list(strings.values()))
         self.slave.setupExperiment()
         self.slave.enterInitializationMode()
         self.slave.exitInitializationMode()
         variables = description.modelVariables
-        self.inputs = [v.valueReference for v in variables if v.name in MOVED]
+        self.inputs = [named[name] for name in moved]
         self.reals = [v.valueReference for v in variables if v.causality == "output" and v.type == "Real"]
         self.integers = [v.valueReference for v in variables if v.causality == "output"
                          and v.type == "Integer"]

@@ -3,7 +3,7 @@
 from .peers import SOURCE
 from .table import figure, grid
 from .tangential import EQUIVALENT, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, SETS, WITHOUT_MOMENT
-from .tangential_times import ELEMENTS, WITHOUT
+from .tangential_times import ELEMENTS, FMU, WITHOUT
 from .tangential_times import MODELS as TIMED
 
 NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses on "
@@ -54,7 +54,7 @@ def time_table(parts):
             ["one patch [µs]", "", *(figure(found[model]["µs"]) for model in TIMED)],
             ["one patch, by itself", "", *(figure(found["by itself"][model]) for model in TIMED)],
             *([f"wheelset, {element}", *(figure(found[element][model]) for model in models)]
-              for element in ELEMENTS)]
+              for element in (*ELEMENTS, FMU))]
     return (f"{grid(['units', *models], rows)}\n\nA step has {whole['patches']:.2f} patches in the mean. A "
             f"row of all outputs has {whole['row']:,.0f} bytes, the memory of a wheelset "
             f"{whole['wheelset'] / 1e3:,.0f} kB, whatever the model.")

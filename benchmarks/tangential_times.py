@@ -8,7 +8,12 @@ without it, over the patches of a step; ANALYN, rigid.  Besides it, the kernel's
 strips and solve it are timed by themselves, over and over on some of the patches that are held out.
 """
 
+import itertools
+import tempfile
+from pathlib import Path
+
 import numpy as np
+from fmpy import extract
 
 import wrcontact
 from tests.helpers.creep_cases import Model
@@ -16,7 +21,7 @@ from wrcontact.creep import forces
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel, span
 
-from . import held_out, trajectory
+from . import fmu_step, held_out, trajectory
 from .machine import Cost, cost
 
 SPEED = 20.0        # [m/s]
@@ -25,6 +30,11 @@ ELEMENTS = {"ANALYN, rigid": {}, "ANALYN with strips, rigid": {"normal_model": "
             "ANALYN, elastic": {"contact_mode": "elastic"},
             "ANALYN with strips, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic"}}
 ALONE = "ANALYN, rigid"
+FMU = "ANALYN, rigid, FMU step through fmpy"
+#: Inputs of the FMU's steps, and their places among the kernel's.
+MOVED = {"lateral_shift": layout.IN_LATERAL_SHIFT, "yaw": layout.IN_YAW,
+         "normal_force": layout.IN_NORMAL_FORCE, "speed": layout.IN_SPEED,
+         "lateral_velocity": layout.IN_LATERAL_VELOCITY, "yaw_rate": layout.IN_YAW_RATE}
 #: Steps that are timed: one run from flange to flange and back.
 STEPS = 900
 #: The same patch so many times, and which of the patches and ellipses that are held out.
@@ -54,6 +64,7 @@ def measured(effort):
                for model in MODELS},
             **{element: {model: best[element, model].units for model in (WITHOUT, *MODELS)}
                for element in ELEMENTS},
+            FMU: fmu_steps(inputs, effort),
             "by itself": {model: by_itself(model, effort.rounds) / unit for model in MODELS},
             "whole": {"patches": patches, "row": 8 * layout.OUTPUT_COUNT,
                       "wheelset": 8 * (layout.WORK_SIZE + layout.STATE_SIZE)}}
@@ -82,6 +93,21 @@ def patches_of(inputs):
     table = wrcontact.ContactSystem(**ELEMENTS[ALONE]).evaluate_many(
         shift, yaw, force, outputs=["left.patch_count", "right.patch_count"])
     return float(np.mean(table.left.patch_count + table.right.patch_count))
+
+
+def fmu_steps(inputs, effort):
+    """Units of a step of the Python FMU by model: MOVED in, all outputs out."""
+    rows = list(map(tuple, inputs[:, list(MOVED.values())].tolist()))
+    best = {}
+    with tempfile.TemporaryDirectory() as folder:
+        unpacked = extract(fmu_step.built(folder), str(Path(folder, "unpacked")))
+        steps = {model: fmu_step.Instance(unpacked, {"tangential_model": model}, tuple(MOVED)).step_over(
+            itertools.cycle(rows)) for model in (WITHOUT, *MODELS)}
+        for _ in range(effort.passes):
+            for model, step in steps.items():
+                found = cost(lambda step=step: [step() for _ in rows], len(rows), effort.rounds)
+                best[model] = found.least(best.get(model))
+    return {model: found.units for model, found in best.items()}
 
 
 def by_itself(model, rounds):

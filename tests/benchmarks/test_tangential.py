@@ -150,9 +150,9 @@ def test_times_are_measured_and_kept():
     """Every model alone and in every element, of few steps, and the same rows are kept."""
     found = tangential_times.measured(LITTLE)
     stored = store.load("tangential_times")["rows"]
-    assert list(found) == list(stored) == [*tangential_times.MODELS, *tangential_times.ELEMENTS, "by itself",
-                                           "whole"]
-    for element in tangential_times.ELEMENTS:
+    assert list(found) == list(stored) == [*tangential_times.MODELS, *tangential_times.ELEMENTS,
+                                           tangential_times.FMU, "by itself", "whole"]
+    for element in (*tangential_times.ELEMENTS, tangential_times.FMU):
         assert list(found[element]) == list(stored[element]) == ["none", *tangential_times.MODELS]
         assert min(found[element].values()) > 0.0
     assert min(found["by itself"].values()) > 0.0 and 2.0 <= found["whole"]["patches"] <= 4.0
