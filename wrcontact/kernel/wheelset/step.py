@@ -26,7 +26,15 @@ from ..search.roll import place_both
 from .compliant import solve_compliant
 from .creep_forces import has_creep_forces, write_creep_forces
 from .elastic import solve_elastic
-from .friction_load import LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
+from .friction_load import (
+    LOAD_MET,
+    LOAD_MISSED,
+    LOAD_PASSES,
+    carries_friction,
+    is_load_met,
+    release_friction,
+    share_load,
+)
 from .leaning import (
     ELASTIC_MET,
     MEETINGS,
