@@ -65,9 +65,10 @@ def hunts(archives):
         save(hunting.draw(linear, found), IMAGES / "hunting.png")
     rows = [[f"from {start * 1e3:g} mm", *(f"{amplitude * 1e3:.2f}" for _, amplitude in row)]
             for start, row in found.items()]
-    worst = max(run.worst_status for row in found.values() for run, _ in row)
+    rows += [[f"status from {start * 1e3:g} mm", *(str(run.worst_status) for run, _ in row)]
+             for start, row in found.items()]
     return [*table(["amplitude [mm]", *(f"{speed:g} m/s" for speed in hunting.SPEEDS)], rows), "",
-            f"Critical speed {speed:.1f} m/s; largest status of all runs {worst}."]
+            f"Critical speed {speed:.1f} m/s. Statuses are the largest of all steps, 1 a wheel without load."]
 
 
 def energies(archives):

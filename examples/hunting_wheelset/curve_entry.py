@@ -89,8 +89,8 @@ def draw(run):
         axes[2].plot(way, -run[f"{side}.force.z"] / 1e3, color=colour, linestyle=":", label=f"{side}, down")
     axes[2].set_ylabel("force on the rail [kN]")
     axes[2].set_xlabel("distance [m]")
-    for panel in axes[1:]:
-        panel.legend(ncols=2, fontsize=8)
+    axes[1].legend(ncols=2)
+    axes[2].legend(ncols=2, loc="center right", bbox_to_anchor=(1.0, 0.66))
     figure.suptitle(f"Into a curve to the right of {RADIUS_OF_CURVE:g} m at {SPEED:g} m/s, S1002 on UIC60")
     return figure
 

@@ -55,7 +55,9 @@ def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
     assert 0.0 < apart(state, other) < bound
     for side in SIDES:
         one, two = getattr(state, side), getattr(other, side)
-        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=0.03 + 2 * bound)
+        # FASTSIM's own stick share is up to twice that of the complete theory
+        near = 0.2 if tangential == "fastsim" else 0.03 + 2 * bound
+        assert one.patches[0].stick_share == pytest.approx(two.patches[0].stick_share, abs=near)
         # shear is largest at one place, where the strips of a model are coarse
         assert one.patches[0].max_shear == pytest.approx(two.patches[0].max_shear, rel=0.05)
         assert one.friction_power == pytest.approx(two.friction_power, rel=2 * bound)
@@ -92,6 +94,16 @@ def test_resultants_take_them_up(state):
     levers = sum(abs(getattr(state, name).force.x) for name in SIDES)
     lateral = sum(abs(getattr(state, name).force.y) for name in SIDES) * np.sin(POSE["yaw"])
     assert state.driving_torque == pytest.approx(torque, abs=1e-3 * levers + lateral)
+
+
+def test_outlines_apart_and_one_side():
+    """Another number of stations follows behind the outputs; the torque needs both wheels."""
+    found = wrcontact.ContactSystem(**COMPLETE, stations=101).evaluate(**POSE, side="right")
+    outline = found.right.outline
+    assert outline.shear.shape == (101,) and np.isnan(found.driving_torque)
+    power = np.trapezoid(outline.shear * outline.slip * 2 * outline.half_length, outline.station)
+    # sixteen strips, whose elastic power is left out
+    assert power == pytest.approx(found.right.friction_power, rel=0.03)
 
 
 def test_mirrored_poses_swap_the_wheels(complete, state):

@@ -16,13 +16,14 @@ MODELS = ("polach", "fastsim", "fastrip", "strips")
 def draw_friction(rng, wheelset, count):
     """A wheelset with a tangential model, whose friction falls and whose slope is reduced now and then; and
     the friction (count,) of both sides, of all sizes."""
-    found = dict(wheelset, tangential_model=str(rng.choice(MODELS)), load=str(rng.choice(("normal", "vertical"))),
+    found = dict(wheelset, tangential_model=str(rng.choice(MODELS)),
+                 load=str(rng.choice(("normal", "vertical"))),
                  friction_fall=float(rng.choice((1.0, 0.4))), friction_fall_rate=float(rng.choice((0.0,
                  0.6))), flange_friction_ratio=float(rng.choice((1.0, 0.2))),
                  slope_reduction=float(rng.choice((1.0, 0.5))), slope_reduction_rate=float(rng.choice((0.0,
                  0.64))), poisson_ratio=float(rng.choice((0.25, 0.27, 0.28, 0.3, 0.4))))
-    return found, {f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0, log_uniform(rng, 1e-3, 1.0, count))
-                   for side in SIDES}
+    return found, {f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0,
+                                                log_uniform(rng, 1e-3, 1.0, count)) for side in SIDES}
 
 
 def patches_of(table):
@@ -69,7 +70,8 @@ def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
         good = check_creep(wheelset, given, table)
         other_wheelset, other = mirrored(wheelset, {name: values for name, values in given.items()
                                                     if name not in friction})
-        other |= {f"{side}_friction": friction[f"{turned}_friction"] for side, turned in zip(SIDES, SIDES[::-1])}
+        other |= {f"{side}_friction": friction[f"{turned}_friction"]
+                  for side, turned in zip(SIDES, SIDES[::-1])}
         there = wrcontact.ContactSystem(**other_wheelset).evaluate_many(**other)
         assert good.mean() > 0.7
         both = good & (there.status <= Status.UNLOADED)
@@ -77,8 +79,8 @@ def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
             for mine, its in zip(one.patches, twin.patches):
                 same = both & (np.abs(mine.normal_force - its.normal_force) <= 1e-9 * mine.normal_force)
                 limit = 1e-9 + given[f"{name}_friction"] * mine.normal_force
-                off.append((np.hypot(mine.tangential.x - its.tangential.x, mine.tangential.y - its.tangential.y)
-                            / limit)[same])
+                apart = np.hypot(mine.tangential.x - its.tangential.x, mine.tangential.y - its.tangential.y)
+                off.append((apart / limit)[same])
     off = np.concatenate(off)
     # creepages agree to rounding, which large ones and small forces magnify
     assert np.quantile(off, 0.999) < 1e-6 and off.max() < 1e-2

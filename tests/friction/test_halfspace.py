@@ -28,7 +28,8 @@ def test_forces_are_near_those_of_the_models(states):
         limit = 0.3 * one.normal_force
         off = np.hypot(one.tangential.x - other.tangential.x, one.tangential.y - other.tangential.y)
         assert 0.0 < off < 0.06 * limit
-        assert one.saturation == pytest.approx(np.hypot(one.tangential.x, one.tangential.y) / limit, rel=1e-12)
+        force = np.hypot(one.tangential.x, one.tangential.y)
+        assert one.saturation == pytest.approx(force / limit, rel=1e-12)
 
 
 def test_resultants_take_them_up(states):

@@ -45,7 +45,8 @@ def test_on_a_profile_it_follows_the_rolling_radius(shift, yaw):
     for index, mirror in enumerate((-1.0, 1.0)):
         for number in range(work.rolling_sides[index].count):
             patch, to = work.rolling_sides[index].patches[number], outputs.left[index].patch[number]
-            places = np.array([(to.x_track + strip.x, strip.y_track, strip.z_track) for strip in patch.strips])
+            places = np.array([(to.x_track + strip.x, strip.y_track, strip.z_track)
+                               for strip in patch.strips])
             # the strips lie on the rail
             across = mirror * places[:, 1] - rail_y
             np.testing.assert_allclose(places[:, 2], evaluate_table(rail, across)[0], rtol=0, atol=1e-12)

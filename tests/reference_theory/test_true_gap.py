@@ -288,7 +288,7 @@ MIRRORED = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 def test_the_resultant_is_that_of_the_patches(system, shift, yaw):
     """Force of the patches, whose angle is that of their force, and which is a little less than the sum of
     pressures where a patch turns; ANALYN's, which takes the normals at the smallest gaps, are near; and the
-    mirror has the mirrored ones."""
+    mirror has the mirrored ones.  Without friction all of it is the normal part."""
     state, near = system.evaluate(shift, yaw), wrcontact.ContactSystem().evaluate(shift, yaw)
     patches = [(sign, patch) for sign, side in ((-1, state.left), (1, state.right)) for patch in side.patches]
     force = np.sum([[p.force.y, p.force.z] for _, p in patches], axis=0)
@@ -298,13 +298,12 @@ def test_the_resultant_is_that_of_the_patches(system, shift, yaw):
         assert 0.97 * p.normal_force < size < p.normal_force
         np.testing.assert_allclose([p.force.y, p.force.z], [-sign * size * math.sin(p.contact_angle),
                                                             -size * math.cos(p.contact_angle)], rtol=1e-9)
-    np.testing.assert_allclose(state.values[layout.OUT_FORCE:layout.OUT_LEFT],
-                               near.values[layout.OUT_FORCE:layout.OUT_LEFT], atol=0.02 * 78.5e3)
+    np.testing.assert_allclose(state.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE],
+                               near.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE], atol=0.02 * 78.5e3)
     assert np.linalg.norm(state.values[layout.OUT_MOMENT:layout.OUT_LEFT]) > 1e4
-    other = system.evaluate(-shift, -yaw).values[layout.OUT_FORCE:layout.OUT_LEFT]
-    # with friction and without; the torque of creep forces is zero
-    np.testing.assert_allclose(other * [*MIRRORED, *MIRRORED, 1.0],
-                               state.values[layout.OUT_FORCE:layout.OUT_LEFT], rtol=1e-4, atol=1.0)
+    other = system.evaluate(-shift, -yaw).values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE]
+    np.testing.assert_allclose(other * np.tile(MIRRORED, 2),
+                               state.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE], rtol=1e-4, atol=1.0)
 
 
 def test_the_resultant_follows_a_prescribed_penetration(system):

@@ -79,9 +79,13 @@ def test_reaches_are_those_of_the_trial_program(nu):
     found = np.array([stiffness.reaches(table, eta) for eta in stored["eta"]]).T
     for row, name in zip(found, "xys"):
         np.testing.assert_allclose(row, stored["S"][name], atol=1e-6)
-    for eta in (1e-5, 0.3, 100.0):
-        ahead = np.array(stiffness.reaches(table, eta))
-        np.testing.assert_array_equal(stiffness.reaches(table, -eta), -ahead)
+    # nearer than anything stored they fall to zero without a change of sign, far away they stay
+    near = np.array([stiffness.reaches(table, eta) for eta in np.geomspace(1e-12, 1e-2, 300)])
+    assert np.all(near > 0.0) and np.all(np.diff(near, axis=0) > 0.0)
+    assert np.all(np.array(stiffness.reaches(table, 0.0)) < 1e-8)
+    np.testing.assert_array_equal(stiffness.reaches(table, 100.0), stiffness.reaches(table, 1e9))
+    # and a half far away: a tail that falls like the square of the distance
+    np.testing.assert_allclose(stiffness.reaches(table, 1e3), np.full(3, 0.5), atol=1e-3)
 
 
 def test_factors_are_those_of_the_trial_program():

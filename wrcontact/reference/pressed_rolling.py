@@ -46,6 +46,11 @@ class SolvedSide:
     mirror: float
     moved: np.ndarray
 
+    @property
+    def index(self):
+        """0 left, 1 right."""
+        return 0 if self.mirror < 0.0 else 1
+
     def ranked(self, number):
         """The record :class:`~wrcontact.kernel.layout.SolvedPatch` of the patch ``number`` by falling load,
         from 0."""
@@ -77,7 +82,7 @@ def write_pressed_creep(tables, work, side, find):
     find : called with the side, the number of a patch by falling load and its
         :class:`~wrcontact.kernel.layout.RollingPatch`, into which it writes what it finds.
     """
-    index = 0 if side.mirror < 0.0 else 1
+    index = side.index
     rolling, outputs = work.rolling_sides[index], work.outputs.left[index]
     cut_patches(side, rolling)
     friction = work.inputs.left_friction if index == 0 else work.inputs.right_friction
@@ -122,10 +127,8 @@ class KernelRolling:
     def __call__(self, side, number, patch):
         work = layout.Work.at(self._workspace)
         work.rolling = patch
-        default_kernel().solve_tangential(self._sides[0 if side.mirror < 0.0 else 1], self._workspace)
-        found = layout.RollingPatch.from_buffer_copy(work.rolling)
-        for name in ("force_x", "force_y", "moment", "stick_share", "max_shear", "strips"):
-            setattr(patch, name, getattr(found, name))
+        default_kernel().solve_tangential(self._sides[side.index], self._workspace)
+        work.rolling_sides[side.index].patches[number] = work.rolling
 
 
 class CompleteRolling:
@@ -198,7 +201,8 @@ def row_slips(motion, side, number, patch, field):
                      for ahead, y in zip(x, field.y)])
     strips = np.array([(side.slip(motion, patch.speed, solved.x + strip.x, strip.station), strip.slip)
                        for strip in patch.strips])
-    return slip * np.abs(strips[:, 1]).sum() / np.abs(strips[:, 0]).sum()
+    whole, reduced = np.abs(strips).sum(axis=0)
+    return slip * (reduced / whole) if whole > 0.0 else slip
 
 
 def roll_fields(patch, fields, slips, **material):

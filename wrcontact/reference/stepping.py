@@ -125,12 +125,15 @@ class HalfspaceSolver:
             outputs = self._workspace[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + len(answer)]
             kept = outputs.copy()
             outputs[:] = answer
-            left, right = (layout.Tables.at(tables) for tables in self._sides)
-            write_creepages(left, right, work, layout.State.at(self._state))
-            if has_creep_forces(right, work):
-                for side in solved:
-                    write_pressed_creep(left if side.mirror < 0.0 else right, work, side, self._creep)
-            answer[:], outputs[:] = outputs, kept
+            tables = [layout.Tables.at(each) for each in self._sides]
+            try:
+                write_creepages(*tables, work, layout.State.at(self._state))
+                if has_creep_forces(tables[1], work):
+                    for side in solved:
+                        write_pressed_creep(tables[side.index], work, side, self._creep)
+                answer[:] = outputs
+            finally:
+                outputs[:] = kept
 
     def _write(self, answer, index, side, wheel):
         """The outputs of a pressed wheel instead of the kernel's; the :class:`SolvedSide`, and its part of

@@ -12,8 +12,8 @@ nu gives, over eta, with r^2 = (cos t - cos t')^2 + eta^2 and the integrals over
 all 1/2 far away.  tools/make_rolling_kernels.py makes P, R, P_s, R_s and their slopes over ln eta, and the
 factors f of eq. (K3), which are stored in kernel/data/rolling_kernels.json.
 
-The kernel's table is over z = eta^(1/4), which takes two square roots and no logarithm.  Nearer than the first
-stored node eta_0 the reaches go on with their slope there as eta (A - B ln eta), as eta/r integrates.
+The kernel's table is over z = eta^(1/4), which takes two square roots and no logarithm.  Nearer than the
+first stored node the reaches go on with their slope there as eta (A - B ln eta), as eta/r integrates.
 """
 
 import json

@@ -52,15 +52,15 @@ static inline double friction_load__carried_share(array_double_1d work, int64_t 
     return share;
 }
 
-/* 1 if both wheels have the vertical force that is wanted, else 0. */
-static inline int64_t friction_load__is_load_met(array_double_1d work)
+/* 1 if neither wheel misses the vertical force that is wanted by more than this ``share``, else 0. */
+static inline int64_t friction_load__is_load_met(array_double_1d work, double share)
 {
     int64_t index;
     int64_t met;
     met = INT64_C(1);
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        if (fabs(friction_load__carried_share(work, index) - 1.0) > friction_load__LOAD_MET)
+        if (fabs(friction_load__carried_share(work, index) - 1.0) > share)
         {
             met = INT64_C(0);
         }

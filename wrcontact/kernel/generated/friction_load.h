@@ -17,6 +17,7 @@
 #include "layout.h"
 
 static const double friction_load__LOAD_MET = 1e-09;
+static const double friction_load__LOAD_MISSED = 0.001;
 static const int64_t friction_load__LOAD_PASSES = INT64_C(8);
 static const int64_t friction_load__LOAD_RATES = INT64_C(6);
 static const double friction_load__LARGEST_CHANGE = 2.0;
@@ -25,7 +26,7 @@ static const double friction_load__LEAST_CHANGE = 1e-12;
 static inline int64_t friction_load__release_friction(array_double_1d work);
 static inline int64_t friction_load__carries_friction(array_double_1d tables, array_double_1d work);
 static inline double friction_load__carried_share(array_double_1d work, int64_t index);
-static inline int64_t friction_load__is_load_met(array_double_1d work);
+static inline int64_t friction_load__is_load_met(array_double_1d work, double share);
 static inline double friction_load__next_load(array_double_1d work, int64_t support, double share);
 static inline int64_t friction_load__share_load(array_double_1d work);
 

@@ -32,7 +32,9 @@ static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1
     return status;
 }
 
-/* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status. */
+/* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
+ * NOT_CONVERGED where friction jams a wheel.
+ */
 static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status)
 {
     int64_t i;
@@ -40,12 +42,16 @@ static inline int64_t step__solve_with_friction(array_double_1d left_tables, arr
     outcome = status;
     for (i = INT64_C(0); i < friction_load__LOAD_PASSES; i += INT64_C(1))
     {
-        if ((outcome > layout__UNLOADED) || (friction_load__is_load_met(work) == INT64_C(1)))
+        if ((outcome > layout__UNLOADED) || (friction_load__is_load_met(work, friction_load__LOAD_MET) == INT64_C(1)))
         {
             break;
         }
         friction_load__share_load(work);
         outcome = step__solve_wheelset(left_tables, right_tables, work, state);
+    }
+    if ((outcome <= layout__UNLOADED) && (friction_load__is_load_met(work, friction_load__LOAD_MISSED) == INT64_C(0)))
+    {
+        outcome = layout__NOT_CONVERGED;
     }
     return outcome;
 }

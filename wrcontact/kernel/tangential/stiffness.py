@@ -15,7 +15,8 @@ for longitudinal creepage; e_j are the strips' edges, y_i their middles.  For la
 in which the factors f, of the patch's length over width, make the force of an ellipse exactly Kalker's.
 Long patches have the mean of K3, weighted with a^2 and width, in all strips: from a/b = 1.5 to 3 it takes
 over.  The equations are solved for pairs of strips; between the middles of pairs stiffnesses follow straight
-lines.  None is taken below a small share of their mean, which only odd shapes need.
+lines.  None is taken below a small share of their mean: in spin the outermost strips of patches with a/b < 3
+would be dragged the other way round by their neighbours, which errs more.
 """
 
 from math import fabs, log, sqrt

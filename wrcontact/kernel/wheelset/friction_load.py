@@ -15,6 +15,10 @@ from .creep_forces import has_creep_forces
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
+#: What is missed by more than this share in the end has no solution: friction carries the wheel, or its
+#: contact
+#: jumps between tread and flange [-].
+LOAD_MISSED: Final[float] = 1e-3
 #: The wheelset is solved again so often at most.
 LOAD_PASSES: Final[int] = 8
 #: Turns in which the rate of the load is found; each leaves a tenth of the one before at most.
@@ -53,11 +57,11 @@ def carried_share(work: Work, index: int):
     return share
 
 
-def is_load_met(work: Work):
-    """1 if both wheels have the vertical force that is wanted, else 0."""
+def is_load_met(work: Work, share: float):
+    """1 if neither wheel misses the vertical force that is wanted by more than this ``share``, else 0."""
     met = 1
     for index in range(2):
-        if fabs(carried_share(work, index) - 1.0) > LOAD_MET:
+        if fabs(carried_share(work, index) - 1.0) > share:
             met = 0
     return met
 

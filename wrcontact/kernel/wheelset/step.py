@@ -26,7 +26,7 @@ from ..search.roll import place_both
 from .compliant import solve_compliant
 from .creep_forces import has_creep_forces, write_creep_forces
 from .elastic import solve_elastic
-from .friction_load import LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
+from .friction_load import LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
 from .leaning import (
     ELASTIC_MET,
     MEETINGS,
@@ -58,13 +58,16 @@ def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State
 
 
 def solve_with_friction(left_tables: Tables, right_tables: Tables, work: Work, state: State, status: int):
-    """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status."""
+    """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
+    NOT_CONVERGED where friction jams a wheel."""
     outcome = status
     for i in range(LOAD_PASSES):
-        if outcome > UNLOADED or is_load_met(work) == 1:
+        if outcome > UNLOADED or is_load_met(work, LOAD_MET) == 1:
             break
         share_load(work)
         outcome = solve_wheelset(left_tables, right_tables, work, state)
+    if outcome <= UNLOADED and is_load_met(work, LOAD_MISSED) == 0:
+        outcome = NOT_CONVERGED
     return outcome
 
 
