@@ -22,8 +22,9 @@ from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
 from ..progress import tracked
 from ..storage.atomic import write_atomically
 
-#: No fused a*b + c, so that results have the same bits as the kernel's Python source.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-g0",
+#: Results have the same bits as the kernel's Python source; build_hooks/kernel_compiler.py says why.
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-builtin-atan",
+         "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-fPIC")
 KERNEL_UNITS = tuple(f"native/wrcontact_{part}.c" for part in ("kernel", "prepare", "tangent"))
 
