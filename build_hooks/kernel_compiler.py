@@ -27,8 +27,8 @@ SOURCES = [KERNEL / "native" / name
            for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
 
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS
-# is not read.  Without errno several roots are taken at once; gcc would then also write sin(atan(x)) as a root,
-# which has other last bits, if it knew what atan is.
+# is not read.  Without errno several roots are taken at once; gcc would then also write sin(atan(x)) as a
+# root, which has other last bits, if it knew what atan is.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-builtin-atan",
          "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
