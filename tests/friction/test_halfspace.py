@@ -6,6 +6,7 @@ import pytest
 import wrcontact
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
+from wrcontact.reference import rolling_step
 from wrcontact.reference.rolling.extrapolation import roll_ellipse
 from wrcontact.reference.rolling_step import roll_strips
 
@@ -80,3 +81,25 @@ def test_backwards_is_the_mirror_image():
 def test_what_it_does_not_know():
     with pytest.raises(ValueError, match="load is 'vertical'"):
         wrcontact.ContactSystem(tangential_model="halfspace", load="vertical")
+
+
+def test_a_step_that_does_not_converge_keeps_the_last_outputs(monkeypatch):
+    stepper = wrcontact.ContactSystem(tangential_model="halfspace").stepper()
+    stepper.inputs[:] = wrcontact.ContactSystem().evaluate(**POSE).inputs
+    assert stepper.step() == 0
+    good = stepper.outputs.copy()
+    with monkeypatch.context() as broken:
+        broken.setattr(rolling_step, "roll_strips", fail)
+        stepper.inputs[0] = 2e-3
+        assert stepper.step() == wrcontact.Status.NOT_CONVERGED
+    np.testing.assert_array_equal(stepper.outputs, good)
+    assert stepper.step() == 0
+    assert np.any(stepper.outputs != good)
+    stepper.inputs[0] = POSE["lateral_shift"]
+    assert stepper.step() == 0
+    # a start elsewhere leaves the contact's last digits, and the solver's tolerance
+    np.testing.assert_allclose(stepper.outputs, good, rtol=1e-3, atol=30.0)
+
+
+def fail(*_, **__):
+    raise ArithmeticError("no convergence")

@@ -21,6 +21,8 @@ STATIONS = 201
 class RollingSolver:
     """The kernel with the half-space's creep forces, on the arrays of one wheelset.
 
+    A step in which a patch does not converge has status 3 and leaves the outputs as they are.
+
     Parameters
     ----------
     poisson_ratio : of wheel and rail.
@@ -40,11 +42,17 @@ class RollingSolver:
         """One step; the status."""
         known = (self._workspace[layout.WORK_KNOWN] == 1.0 and self._rolled is not None
                  and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
+        before = self._outputs.copy()
         status = self._kernel.step()
         if status <= Status.UNLOADED:
             work = layout.Work.at(self._workspace)
-            if not known and is_rolling(work.inputs):
-                self._roll(work)
+            try:
+                if not known and is_rolling(work.inputs):
+                    self._roll(work)
+            except ArithmeticError:
+                self._workspace[layout.WORK_KNOWN] = 0.0
+                self._outputs[:], self._rolled = before, None
+                return int(Status.NOT_CONVERGED)
             self._rolled = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
             self._outputs[:] = self._rolled
         return status
