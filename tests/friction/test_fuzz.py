@@ -52,8 +52,8 @@ def check_creep(wheelset, given, table):
         # of what friction takes at most: the whole of it, at the speed of the inputs and the wheels
         most = limit * (np.abs(given["speed"]) + np.abs(given["wheel_rate"]) * patch.rolling_radius)
         power = patch.friction_power / (1e-12 + most)
-        # strips with rolling radii of their own rub as if apart from the patch's plane, in which its force acts:
-        # Hertz's ellipses reach far out of it
+        # strips with rolling radii of their own rub as if apart from the patch's plane, in which its force
+        # acts: Hertz's ellipses reach far out of it
         least = -0.1 if wheelset["normal_model"] == "hertz" else -1e-4
         assert_none(good & (power < least), what=f"{what}: friction drives", measure=power, **check)
     return good
@@ -85,5 +85,5 @@ def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
                 apart = np.hypot(mine.tangential.x - its.tangential.x, mine.tangential.y - its.tangential.y)
                 off.append((apart / limit)[same])
     off = np.concatenate(off)
-    # creepages agree to rounding; where that is all there is of them, 1 of 100 000, it also is their direction
+    # creepages agree to rounding; where that is all there is of them, 1 of 100 000, it is their direction too
     assert np.quantile(off, 0.999) < 1e-6 and np.mean(off > 1e-2) < 1e-4
