@@ -17,8 +17,9 @@ from pathlib import Path
 from wrcontact.plots import style
 from wrcontact.progress import tracked
 
-from . import pages, parts, picture, random_poses, rows, store, tangential_picture
-from .tables import TABLES, random_table, written
+from . import pages, parts, pictures, random_poses, rows, store
+from .pages import TABLES, written
+from .tables import random_table
 
 QUICK_RANDOM = 4
 
@@ -31,9 +32,8 @@ def main(arguments=None):
     names = parts.named(options.what)
     if options.write:
         parts.write([] if options.render else names, rows.FULL)
-        style.save(picture.figure(picture.stored_points()), store.ROOT / picture.PATH)
-        style.save(tangential_picture.figure(*tangential_picture.stored()),
-                   store.ROOT / tangential_picture.PATH)
+        style.save(pictures.figure(pictures.stored_points()), store.ROOT / pictures.PATH)
+        style.save(pictures.creep_figure(*pictures.stored_creep()), store.ROOT / pictures.CREEP_PATH)
         for page in pages.write():
             print(page, file=sys.stderr)
         return

@@ -1,20 +1,69 @@
-"""Errors against independent references: mean and worst error of penetration, area and peak pressure.
+"""Errors and poses.
 
-*Positions*: the right wheel from tread to flange (tests/reference/positions.csv).  *Hunting run*: both wheels
-during growing hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are results of a
-half-space solver on the true three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
+Errors against independent references are mean and worst errors of penetration, area and peak pressure.
+*Positions*: the right wheel from tread to flange (data/positions.csv).  *Hunting run*: both wheels during
+growing hunting with yaw and load transfer (data/trajectories/hunting.csv).  Both are results of a half-space
+solver on the true three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
+
+Besides them: what other preparations of ANALYN's input change, what the number of stations decides, and the
+elastic equilibrium.
 """
 
+import csv
+import math
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
-from . import runs
+import data
+import wrcontact
+from wrcontact.kernel import layout
+from wrcontact.progress import tracked
 
+from .studies.planar import planar_contact
+
+FORCE = 78.5e3  # [N]
+SHIFT, YAW = 6.6e-3, 0.02  # [m, rad] amplitudes of the timed runs
+ANY_YAW = 0.035  # [rad] 2 deg
 PATCH = ("penetration", "area", "max_pressure")
 PLACE = ("x_wheel", "y_wheel", "z_wheel")
 SIDES = ("left", "right")
+
+
+@cache
+def system(**options):
+    return wrcontact.ContactSystem(**options)
+
+
+
+# ------------------------------------------------------------------------------------------------------ poses
+
+
+def trajectory(count, yaw=YAW):
+    """Lateral shift [m] and yaw [rad]: from flange to flange, about twice in 2000 poses; yaw a quarter cycle
+    apart."""
+    turn = 12.0 * np.arange(count) / 2000
+    return SHIFT * np.sin(turn), yaw * np.cos(turn)
+
+
+def anywhere(count, yaw=ANY_YAW):
+    """Lateral shift [m] and yaw [rad] (count,) of independent random poses."""
+    random = np.random.default_rng(0)
+    return random.uniform(-SHIFT, SHIFT, count), yaw * random.uniform(-1, 1, count)
+
+
+def inputs_of(poses, force=FORCE):
+    """Inputs (n, INPUT_COUNT) of lateral shifts [m] and yaws [rad] under a force [N]; the others are zero."""
+    shift, yaw = poses
+    inputs = np.zeros((len(shift), layout.INPUT_COUNT))
+    for place, values in ((layout.IN_LATERAL_SHIFT, shift), (layout.IN_YAW, yaw),
+                          (layout.IN_NORMAL_FORCE, force)):
+        inputs[:, place] = values
+    return inputs
+
+
+# --------------------------------------------------------------------------------------- against stored poses
 
 
 class Errors(NamedTuple):
@@ -28,7 +77,7 @@ class Errors(NamedTuple):
 @cache
 def positions(system):
     """:class:`Errors` on the 20 positions."""
-    run = runs.stored(runs.POSITIONS)
+    run = data.columns(data.POSITIONS)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"])
     return compared(table, run, ("right",))
 
@@ -36,7 +85,7 @@ def positions(system):
 @cache
 def hunting(system, every=1, yawed=True):
     """:class:`Errors` at each ``every``-th row of the hunting run; ``yawed=False`` sets the yaw to zero."""
-    run = {name: column[::every] for name, column in runs.stored(runs.HUNTING).items()}
+    run = {name: column[::every] for name, column in data.columns(data.HUNTING).items()}
     table = system.evaluate_many(run["lateral_shift"], run["yaw"] * yawed, run["normal_force"],
                                  run["load_transfer"])
     return compared(table, run, SIDES)
@@ -67,8 +116,165 @@ def percentages(positions, hunting):
 
 def rigid(system):
     """Largest errors of the rigid contact in the hunting run: roll [rad] and contact position [mm]."""
-    run = runs.stored(runs.HUNTING)
+    run = data.columns(data.HUNTING)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
     place = max(np.max(np.abs(getattr(getattr(table, side).contact, name) - run[f"{side}.contact.{name}"]))
                 for side in SIDES for name in PLACE)
     return {"roll": np.max(np.abs(table.roll - run["roll"])), "position": place * 1e3}
+
+
+# ------------------------------------------- other preparations of ANALYN's input (docs/method.md, section 8)
+
+
+CHOICE_SHIFTS = {"1 mm (tread)": 1e-3, "6 mm (flange root)": 6e-3, "6.5 mm (flange)": 6.5e-3}  # [m]
+CHOICES = (("separation", "vertical"), ("separation", "equidistant"), ("separation", "equidistant_chord"),
+           ("longitudinal_curvature", "basic"), ("lateral_curvature", "smooth"),
+           ("lateral_curvature", "rough"))
+CHOICE_NODES = 38  # so many that their number has no part in the choice_changes
+
+
+def choice_patches(**options):
+    """Penetration, area and peak pressure (3, 3) of the right wheel at CHOICE_SHIFTS."""
+    table = system(nodes=CHOICE_NODES, **options).evaluate_many(list(CHOICE_SHIFTS.values()), 0.0, FORCE)
+    return np.array([getattr(table.right, name) for name in PATCH]).T
+
+
+def choice_changes():
+    """Rows by choice: changes [%] of penetration, area and peak pressure at each shift."""
+    usual = choice_patches()
+    found = {f'{name} "{choice}"': choice_patches(**{name: choice}) for name, choice in CHOICES}
+    return {name: dict(zip(CHOICE_SHIFTS, 100 * (values / usual - 1))) for name, values in found.items()}
+
+
+# ---------------------------------------------------------------------- stations of the outline (docs/fmu.md)
+
+
+STATION_NUMBERS = (31, 61, 201)
+STATION_SHIFT = 1e-3  # [m] one patch on the tread
+
+
+def station_errors():
+    """By number: station_errors [%] of area and load from the trapezoidal rule over the outline."""
+    found = {}
+    for number in STATION_NUMBERS:
+        side = system(stations=number).evaluate(STATION_SHIFT).right
+        outline, steps = side.outline, np.diff(side.outline.station)
+        area, load = (float(np.sum(0.5 * (values[1:] + values[:-1]) * steps))
+                      for values in (2.0 * outline.half_length,
+                                     0.5 * np.pi * outline.half_length * outline.pressure))
+        found[str(number)] = {"area": 100 * abs(area / side.area - 1),
+                              "load": 100 * abs(load / side.normal_force - 1)}
+    return found
+
+
+# ----------------------------------------------------------- elastic equilibrium (docs/method.md, section 11)
+
+
+TRIAL_POSES = 500
+MODELS = "hertz", "analyn", "analyn_strip"
+NEAR = 6.5  # [mm] flange contact begins
+MANCHESTER_COLUMNS = ("lateral_shift_mm", "yaw_rad", "roll_rad", "normal_force_left_N",
+                      "normal_force_right_N")
+
+
+def trials(model, load):
+    """Trials of each of TRIAL_POSES random poses, up to 8 mm and 0.03 rad, 1 ... 150 kN."""
+    rng = np.random.default_rng(4)
+    stepper = system(contact_mode="elastic", normal_model=model, load=load).stepper()
+    found = []
+    for shift, yaw, force in rng.uniform((-8e-3, -0.03, 1e3), (8e-3, 0.03, 150e3), (TRIAL_POSES, 3)):
+        stepper.inputs[[0, 1, 3]] = shift, yaw, force
+        before = stepper.state[layout.STATE_ROLL_COUNT]
+        stepper.step()
+        found.append(stepper.state[layout.STATE_ROLL_COUNT] - before)
+    return np.array(found)
+
+
+def largest_roll_step(yaw, step=1e-6):
+    """Largest step of the roll [rad] from -8 to 8 mm, and how far from the middle [mm]: at both signs of the
+    shift it is the same but for rounding."""
+    shift = np.arange(-8e-3, 8e-3, step)
+    table = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
+    steps = np.abs(np.diff(table.roll))
+    return steps.max(), 1e3 * abs(shift[np.argmax(steps)] + 0.5 * step)
+
+
+def all_trials():
+    """By model and load: mean, 99 % and largest number of trials."""
+    rows = {}
+    for model in MODELS:
+        for load in ("normal", "vertical"):
+            count = trials(model, load)
+            rows[f"{model}, load {load}"] = {"mean": count.mean(), "99 %": np.percentile(count, 99),
+                                             "most": count.max()}
+    return rows
+
+
+def roll_steps(quick=False):
+    """By yaw: largest change of the roll [µrad] in 1 µm of lateral shift, and where [mm]."""
+    rows = {}
+    for degrees in tracked((0, 1, 2), "rolls of the elastic wheelset"):
+        largest, shift = largest_roll_step(math.radians(degrees), 1e-4 if quick else 1e-6)
+        rows[f"{degrees}°"] = {"step": 1e6 * largest, "at": shift}
+    return rows
+
+
+def manchester():
+    """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [µrad], elastic and
+    rigid, up to NEAR [mm] and beyond."""
+    with open(data.MANCHESTER, newline="", encoding="utf-8") as file:
+        shift, yaw, roll, left, right = np.array([[float(row[name]) for name in MANCHESTER_COLUMNS]
+                                                  for row in csv.DictReader(file)]).T
+    rows = {}
+    for mode in ("elastic", "rigid"):
+        table = system(contact_mode=mode).evaluate_many(1e-3 * shift, yaw, (left + right) / 2,
+                                                        (right - left) / (left + right))
+        off = 1e6 * np.abs(table.roll - roll)
+        rows[mode] = {"near": off[shift <= NEAR].max(), "beyond": off[shift > NEAR].max()}
+    return rows
+
+
+# ---------------------------------------------------------------------- patches that turn (docs/conformal.md)
+
+
+CONFORMAL = data.FOLDER / "conformal.csv"
+TURNING_SHIFTS = (1e-3, 6e-3, 6.25e-3)  # [m]
+TURNING_UNITS = (1e-6, 1e-6, 1e6)  # µm, mm², MPa
+TURNING_MODELS = {"halfspace": "half-space", "analyn_strip": "strips", "analyn": "ANALYN"}
+
+
+def turning_patches(quick=False):
+    """Rows by name: both theories at TURNING_SHIFTS, with rigid contact; errors [%] of force, area and
+    peak pressure against CONTACT, with compliant contact.  A quick run takes the first pose and row alone."""
+    count = 1 if quick else None
+    return {**turning_poses(TURNING_SHIFTS[:count]),
+            **{model: against_contact(model, count) for model in TURNING_MODELS}}
+
+
+def turning_poses(shifts):
+    """Penetration [um], area [mm2] and peak pressure [MPa] by pose and theory."""
+    found = {}
+    for shift in shifts:
+        planar = planar_contact(system(), system().evaluate(shift, 0.0, FORCE), FORCE)
+        turning = system(normal_model="halfspace").evaluate(shift, 0.0, FORCE, side="right").right
+        found[f"{1e3 * shift:g} mm"] = {
+            name: [getattr(each, quantity) / unit for quantity, unit in zip(PATCH, TURNING_UNITS)]
+            for name, each in (("planar", planar), ("conformal", turning))}
+    return found
+
+
+def against_contact(model, count=None):
+    """Mean and worst error [%], and those of every row or of ``count``."""
+    with open(CONFORMAL, newline="", encoding="utf-8") as file:
+        rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)][:count]
+    errors = []
+    for row in rows:
+        side = system(normal_model=model, contact_mode="compliant").evaluate(
+            row["lateral_shift_mm"] * 1e-3, math.radians(row["yaw_deg"]), side="right",
+            vertical_shift_input=row["vertical_shift_mm"] * 1e-3, roll_input=row["roll_rad"]).right
+        given = row["N_f_N"], row["area_f_mm2"] * 1e-6, row["pmax_f_MPa"] * 1e6
+        errors.append(100.0 * (np.array([side.normal_force, side.area, side.max_pressure]) / given - 1.0))
+    names = [f"{row['lateral_shift_mm']:g} mm, {row['yaw_deg']:g}°, {row['vertical_load_kN']:g} kN"
+             for row in rows]
+    return {"mean": np.mean(np.abs(errors), axis=0), "worst": np.max(np.abs(errors), axis=0),
+            **dict(zip(names, errors))}

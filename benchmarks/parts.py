@@ -11,30 +11,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from wrcontact.progress import tracked
-from wrcontact.study import compare, figures
+from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import (
-    choices,
-    conformal,
-    conicity,
-    counts,
-    curvature_study,
-    elastic_study,
-    growth,
-    machine,
-    profile_noise,
-    random_poses,
-    rows,
-    skips,
-    stations,
-    store,
-    tangential,
-    tangential_times,
-    tangents,
-    trajectory,
-    zones,
-)
+from . import creep, creep_times, errors, machine, profiles, random_poses, rows, store, times, work
+from .studies import curvature, searches
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -108,7 +89,7 @@ def timed(costs):
 
 
 def skip_times(effort):
-    found = list(skips.all_skips(effort))
+    found = list(times.all_skips(effort))
     for skip in tracked(found * effort.passes, "times of what can be skipped"):
         skip.measure(effort.rounds)
     return {skip.name: {"units": skip.less.units, "full": skip.more.units, "answer": skip.answer}
@@ -116,17 +97,17 @@ def skip_times(effort):
 
 
 def elastic_times(effort):
-    return {model: timed(modes) for model, modes in elastic_study.times(effort).items()}
+    return {model: timed(modes) for model, modes in times.elastic_times(effort).items()}
 
 
 def growth_times(effort):
-    numbers = growth.NUMBERS[:4] if effort.passes == 1 else growth.NUMBERS
-    return timed({f"{number:,}": cost for number, cost in growth.wheelsets(numbers, effort.passes
+    numbers = times.GROWTH[:4] if effort.passes == 1 else times.GROWTH
+    return timed({f"{number:,}": cost for number, cost in times.wheelsets(numbers, effort.passes
                                                                           * effort.rounds)})
 
 
 def thread_times(effort):
-    found = growth.threads(10 * effort.count, effort.passes * effort.rounds)
+    found = times.threads(10 * effort.count, effort.passes * effort.rounds)
     return {str(count): {"µs": 1e6 * seconds, "gain": gain} for count, seconds, gain in found}
 
 
@@ -140,7 +121,7 @@ def random_errors(effort):
 
 def source_searches(effort):
     return {name: {"header": header, "rows": cells}
-            for name, (header, cells) in compare.tables(quick=effort is rows.QUICK).items()}
+            for name, (header, cells) in searches.tables(quick=effort is rows.QUICK).items()}
 
 
 def source_figures(effort):
@@ -153,33 +134,33 @@ def source_figures(effort):
 
 PARTS = {
     "model_errors": Part(ERRORS, model_errors),
-    "skip_errors": Part(ERRORS, lambda effort: skips.answers()),
+    "skip_errors": Part(ERRORS, lambda effort: times.skip_answers()),
     "tolerances": Part(ERRORS, lambda effort: random_poses.numerics(min(effort.count, TOLERANCES))),
     "random_poses": Part(ERRORS, random_errors),
-    "zones": Part(ERRORS, lambda effort: zones.by_zone()),
-    "counts": Part(ERRORS, lambda effort: counts.table(min(effort.count, COUNTED))),
-    "choices": Part(ERRORS, lambda effort: choices.changes()),
-    "stations": Part(ERRORS, lambda effort: stations.errors()),
-    "conicity": Part(ERRORS, lambda effort: conicity.pairs()),
-    "en15302": Part(ERRORS, lambda effort: conicity.benchmark()),
-    "manchester": Part(ERRORS, lambda effort: elastic_study.manchester()),
-    "elastic_trials": Part(ERRORS, lambda effort: elastic_study.all_trials()),
-    "tangential_errors": Part(ERRORS, lambda effort: tangential.errors()),
+    "zones": Part(ERRORS, lambda effort: random_poses.by_zone()),
+    "counts": Part(ERRORS, lambda effort: work.count_table(min(effort.count, COUNTED))),
+    "choices": Part(ERRORS, lambda effort: errors.choice_changes()),
+    "stations": Part(ERRORS, lambda effort: errors.station_errors()),
+    "conicity": Part(ERRORS, lambda effort: profiles.conicities()),
+    "en15302": Part(ERRORS, lambda effort: profiles.en15302_rows()),
+    "manchester": Part(ERRORS, lambda effort: errors.manchester()),
+    "elastic_trials": Part(ERRORS, lambda effort: errors.all_trials()),
+    "tangential_errors": Part(ERRORS, lambda effort: creep.errors()),
     "model_times": Part(TIMES, model_times),
     "skip_times": Part(TIMES, skip_times),
     "growth": Part(TIMES, growth_times),
     "threads": Part(TIMES, thread_times),
-    "station_times": Part(TIMES, lambda effort: timed(stations.times(effort))),
+    "station_times": Part(TIMES, lambda effort: timed(times.station_times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
-    "trajectory": Part(TIMES, lambda effort: trajectory.measured(quick=effort is rows.QUICK)),
-    "derivative_times": Part(TIMES, lambda effort: timed(tangents.times(effort))),
-    "tangential_times": Part(TIMES, tangential_times.measured),
-    "conformal": Part(STUDIES, lambda effort: conformal.measured(quick=effort is rows.QUICK)),
+    "trajectory": Part(TIMES, lambda effort: work.measured(quick=effort is rows.QUICK)),
+    "derivative_times": Part(TIMES, lambda effort: timed(times.derivative_times(effort))),
+    "tangential_times": Part(TIMES, creep_times.measured),
+    "conformal": Part(STUDIES, lambda effort: errors.turning_patches(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),
-    "curvature": Part(STUDIES, lambda effort: curvature_study.study(quick=effort is rows.QUICK)),
-    "conicity_noise": Part(STUDIES, lambda effort: conicity.noisy()),
-    "elastic_roll": Part(STUDIES, lambda effort: elastic_study.roll_steps(quick=effort is rows.QUICK)),
-    "profile_noise": Part(STUDIES, lambda effort: profile_noise.study(quick=effort is rows.QUICK)),
+    "curvature": Part(STUDIES, lambda effort: curvature.study(quick=effort is rows.QUICK)),
+    "conicity_noise": Part(STUDIES, lambda effort: profiles.noisy_conicities()),
+    "elastic_roll": Part(STUDIES, lambda effort: errors.roll_steps(quick=effort is rows.QUICK)),
+    "profile_noise": Part(STUDIES, lambda effort: profiles.noise_study(quick=effort is rows.QUICK)),
     "source_searches": Part(STUDIES, source_searches),
     "source_figures": Part(STUDIES, source_figures),
 }

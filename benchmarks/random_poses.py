@@ -7,7 +7,7 @@ wheel.
 Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended
 goes on where it was, a larger one only adds, and a changed model is compared anew within a second.
 
-    python -m benchmarks.random_poses       adds what is missing in tests/reference/random_poses.csv
+    python -m benchmarks.random_poses       adds what is missing in data/random_poses.csv
 """
 
 import math
@@ -20,11 +20,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+import data
 import wrcontact
 from wrcontact.methods import Analyn, Strip
 from wrcontact.progress import tracked
-
-from . import runs
 
 SEED = 2014
 RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
@@ -32,7 +31,7 @@ SHIFT, YAW = 6.6e-3, radians(2)  # [m, rad] largest
 FORCE = 3e3, 200e3  # [N]
 TOLERANCE = 0.01  # of the half-space
 STORE = Path("out") / "random_poses.csv"  # of a run with another number
-STORED = runs.TESTS / "reference" / "random_poses.csv"
+STORED = data.FOLDER / "random_poses.csv"
 COUNT = 1000  # poses that are stored
 SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
 PERCENTILES = (50, 95, 99, 100)
@@ -189,6 +188,45 @@ def numerics(count):
                 **dict(quantiles(wheels[~np.isnan(wheels).any(axis=1)])), "count": count,
                 "where": f"{SIDES[wheel % 2]}, pose {wheel // 2}"}
     return rows
+
+
+# --------------------------------------------------------------------------------- by where the wheel touches
+
+
+#: tread: one patch, contact angle up to 15 degrees; flange root: one patch, up to 45 degrees; flange: one
+#: patch, more than that; two places: two patches or more.  Each wheel is sorted by ANALYN's answer.
+ZONES = "tread", "flange root", "flange", "two places"
+ANGLES = np.radians([15.0, 45.0])  # where the flange root and the flange begin
+KINDS = "mean", "95 of 100", "worst"  # what the table shows of them
+
+
+def by_zone(count=COUNT):
+    """Rows by zone: the number of wheels, and by model the KINDS of their errors (3,) [%]."""
+    truth = references(count, STORED).reshape(-1, 3)
+    poses = [pose(index) for index in range(count)]
+    zone = zones(poses)
+    rows = {name: {"wheels": 0} for name in ZONES}
+    for model in ("analyn", "analyn_strip"):
+        found, _ = answers(poses, normal_model=model)
+        errors = 100 * np.abs(found.reshape(-1, 3) / truth - 1)
+        for number, name in enumerate(ZONES):
+            here = errors[(zone == number) & np.isfinite(errors).all(axis=1)]
+            rows[name]["wheels"] = len(here)
+            if len(here):
+                kinds = dict(quantiles(here))
+                rows[name][model] = {kind: kinds[kind] for kind in KINDS}
+    return rows
+
+
+def zones(poses):
+    """The number of each wheel's zone (2 n,), left and right of every pose."""
+    found = np.zeros((len(poses), 2), dtype=int)
+    for row, pose in enumerate(poses):
+        state = system(pose.rail, pose.inclination).evaluate(*pose[2:])
+        for side, wheel in enumerate((state.left, state.right)):
+            angle = max((abs(patch.contact_angle) for patch in wheel.patches), default=0.0)
+            found[row, side] = 3 if len(wheel.patches) > 1 else int(np.searchsorted(ANGLES, angle))
+    return found.ravel()
 
 
 if __name__ == "__main__":

@@ -7,21 +7,29 @@ a trajectory without yaw and are evaluated by evaluate_many.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 
-import wrcontact
+import data
 from wrcontact.methods import Analyn, Strip
 
-from . import errors, runs
+from . import errors
+from .errors import FORCE, anywhere, system, trajectory
 from .machine import cost
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
-DEFAULT_ROW = f"analyn, tolerance 0.01 ({Analyn.ladder[0.01].nodes} nodes)"
 FMU_ROW = "analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all outputs"
 NATIVE_ROW = "analyn, hunting with yaw, native FMU step from C, FMI {}.0: 5 inputs, all outputs"
+
+
+def ladder_row(model, tolerance, resolution):
+    """Name of the row of a model at one of its tolerances."""
+    strips = f", {resolution.strips} strips × {resolution.sweeps}" if model is Strip else ""
+    return f"{model.name}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})"
+
+
+DEFAULT_ROW, STRIP_ROW = (ladder_row(model, 0.01, model.ladder[0.01]) for model in (Analyn, Strip))
 
 
 @dataclass(frozen=True)
@@ -51,7 +59,6 @@ class Row:
     system: object
     rounds: int
     every: int = 1
-    short: bool = False  # also in the README
     setting: str = ""  # label in the picture
 
     def cost(self):
@@ -66,11 +73,6 @@ class Row:
         return errors.percentages(errors.positions(self.system), errors.hunting(self.system, self.every))
 
 
-@cache
-def system(**options):
-    return wrcontact.ContactSystem(**options)
-
-
 def all_rows(effort):
     """Every measured row, not yet measured."""
     return [*formulas(effort), *ladders(effort), *halfspace(effort), *strips(effort), *orders(effort),
@@ -80,29 +82,27 @@ def all_rows(effort):
 def batch(system, poses, **options):
     """A call of evaluate_many."""
     shift, yaw = poses
-    return lambda: system.evaluate_many(shift, yaw, runs.FORCE, **options)
+    return lambda: system.evaluate_many(shift, yaw, FORCE, **options)
 
 
 def formulas(effort):
     """Geometry alone; Hertz."""
-    poses = runs.trajectory(effort.count, yaw=0.0)
+    poses = trajectory(effort.count, yaw=0.0)
     yield Row("geometry and roll alone", "geometry", batch(system(), poses, outputs="geometry"), effort.count,
-              system(), effort.rounds, short=True)
+              system(), effort.rounds)
     hertz = system(normal_model="hertz")
-    yield Row("Hertz", "Hertz", batch(hertz, poses), effort.count, hertz, effort.rounds, short=True)
+    yield Row("Hertz", "Hertz", batch(hertz, poses), effort.count, hertz, effort.rounds)
 
 
 def ladders(effort):
     """ANALYN and strips at each of their tolerances, and ANALYN with the other longitudinal
     curvature."""
-    poses = runs.trajectory(effort.count, yaw=0.0)
+    poses = trajectory(effort.count, yaw=0.0)
     for model in (Analyn, Strip):
         for tolerance, resolution in model.ladder.items():
-            of, finest = system(normal_model=model(tolerance=tolerance)), min(model.ladder)
-            strips = f", {resolution.strips} strips × {resolution.sweeps}" if model is Strip else ""
-            yield Row(f"{model.name}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model.name,
-                      batch(of, poses), effort.count, of, effort.rounds, setting=f"{tolerance:g}",
-                      short=tolerance == 0.01 or (model is Strip and tolerance == finest))
+            of = system(normal_model=model(tolerance=tolerance))
+            yield Row(ladder_row(model, tolerance, resolution), model.name,
+                      batch(of, poses), effort.count, of, effort.rounds, setting=f"{tolerance:g}")
     basic = system(longitudinal_curvature="basic")
     yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic,
               effort.rounds)
@@ -110,16 +110,16 @@ def ladders(effort):
 
 def halfspace(effort):
     """The half-space at each tolerance, timed on the 20 positions."""
-    shift = runs.stored(runs.POSITIONS)["lateral_shift"]
+    shift = data.columns(data.POSITIONS)["lateral_shift"]
     for tolerance in effort.halfspace:
         of = system(normal_model="halfspace", tolerance=tolerance)
         yield Row(HALFSPACE_FORM.format(tolerance), "halfspace", batch(of, (shift, 0.0 * shift)), len(shift),
-                  of, 1, effort.every, short=tolerance == 0.01, setting=f"{tolerance:g}")
+                  of, 1, effort.every, setting=f"{tolerance:g}")
 
 
 def strips(effort):
     """Number of strips and sweeps, nodes as at the default tolerance."""
-    poses = runs.trajectory(effort.count, yaw=0.0)
+    poses = trajectory(effort.count, yaw=0.0)
     for sweeps in SWEEPS:
         for strips in STRIPS:
             of = system(normal_model="analyn_strip", strips=strips, sweeps=sweeps)
@@ -129,18 +129,17 @@ def strips(effort):
 
 def orders(effort):
     """Trajectory and random order of the poses, with and without yaw."""
-    for of, short in ((system(), True), (system(normal_model="analyn_strip"), False)):
+    for of in (system(), system(normal_model="analyn_strip")):
         model = of.parameters["normal_model"]
-        for name, poses in (("trajectory with yaw", runs.trajectory(effort.count)),
-                            ("random poses", runs.anywhere(effort.count, yaw=0.0)),
-                            ("random poses with yaw", runs.anywhere(effort.count))):
-            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds,
-                      short=short and "with yaw" in name)
+        for name, poses in (("trajectory with yaw", trajectory(effort.count)),
+                            ("random poses", anywhere(effort.count, yaw=0.0)),
+                            ("random poses with yaw", anywhere(effort.count))):
+            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds)
 
 
 def doors(effort):
     """Ways to call: ``evaluate()`` and the stepper; :func:`fmu_row` has the FMU."""
-    shift, yaw = runs.trajectory(effort.count)
+    shift, yaw = trajectory(effort.count)
     poses = list(zip(shift.tolist(), yaw.tolist()))
     stepper = system().stepper()
 
@@ -148,10 +147,10 @@ def doors(effort):
         for stepper.inputs[0], stepper.inputs[1] in poses:
             stepper.step()
 
-    stepper.inputs[3] = runs.FORCE
+    stepper.inputs[3] = FORCE
     yield Row("analyn, trajectory with yaw, `evaluate()` from Python", "door",
               lambda: [system().evaluate(shift, yaw) for shift, yaw in poses], effort.count, system(),
-              effort.rounds, short=True)
+              effort.rounds)
     yield Row("analyn, trajectory with yaw, stepper from Python", "door", step, effort.count, system(),
               effort.rounds)
 
@@ -165,8 +164,8 @@ class NativeRow(Row):
 
 def hosted(folder, effort):
     """Rows of the steps of all three FMUs, which are built in ``folder``."""
-    from . import fmu_step, native
+    from . import fmus
 
-    yield Row(FMU_ROW, "FMU", fmu_step.steps(folder), fmu_step.STEPS, system(), effort.rounds, short=True)
-    for version, measure in native.measures(folder):
+    yield Row(FMU_ROW, "FMU", fmus.steps(folder), fmus.STEPS, system(), effort.rounds)
+    for version, measure in fmus.measures(folder):
         yield NativeRow(NATIVE_ROW.format(version), "native", measure, 0, system(), 0)

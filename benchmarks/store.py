@@ -8,7 +8,7 @@ ROOT = Path(__file__).parents[1]
 FOLDER = Path(__file__).with_name("measured")
 DIGITS = 4  # significant digits that are kept
 #: What decides about the numbers; changes elsewhere do not count as changes.
-SOURCES = ("wrcontact", "fmu_src", "benchmarks/*.py", "tests/reference", "tests/trajectories")
+SOURCES = ("wrcontact", "fmu_src", "benchmarks/*.py", "data")
 
 
 def commit():

@@ -1,53 +1,82 @@
-"""The generated tables of README and docs: each is written from the parts that it names, and says of which
-commit they are and how they were measured."""
+"""Tables in Markdown: each function writes one from the parts that were measured.  Those of creep forces are
+in creep_times.py."""
 
-from collections.abc import Callable
 from typing import NamedTuple
 
-from . import conformal, conicity, rows, tangential_tables
-from .counts import COUNTS, FULL_RASTER
-from .elastic_study import MODES, NEAR
-from .machine import UNIT
-from .peers import PEERS, SOURCE
-from .random_poses import PERCENTILES, TOLERANCE, percentile_name
-from .table import figure, grid, percent, three
+import numpy as np
 
+from .errors import NEAR, TURNING_MODELS
+from .random_poses import PERCENTILES, TOLERANCE, percentile_name
+from .rows import DEFAULT_ROW
+from .times import CONTACT_MODES
+from .work import COUNTS, FULL_RASTER
+
+TRIPLE = "% of penetration / area / peak pressure"
 MODELS = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean",
           "worst"]
-TRIPLE = "% of penetration / area / peak pressure"
 
 
-class Table(NamedTuple):
-    """``text(parts)`` returns the table in Markdown; ``parts`` has what was measured, by name."""
-
-    page: str
-    parts: tuple
-    text: Callable
-    note: str = ""
+def markdown(title, header, rows):
+    """A table with a title."""
+    return f"### {title}\n\n{grid(header, rows)}\n"
 
 
-def written(table, parts):
-    """A table and what was measured where."""
-    chosen = {name: parts[name] for name in table.parts}
-    return "\n".join([table.text(chosen), "", *filter(None, [table.note, provenance(chosen)])])
+def grid(header, rows, words=1):
+    """A table; the first columns hold ``words``, the others numbers."""
+    return "\n".join([line(header), line(["---"] * words + ["---:"] * (len(header) - words)),
+                      *map(line, rows)])
 
 
-def provenance(parts):
-    """Sentences on commits, machine and noise of the run."""
-    timed = {name: part for name, part in parts.items() if "machine" in part}
-    others = sorted({part["commit"] for name, part in parts.items() if name not in timed})
-    said = [f"Errors and counts are those of commit {' and '.join(map(code, others))}."] if others else []
-    for part in timed.values():
-        said.append(f"Times are those of commit {code(part['commit'])} on {part['machine']}: {part['time']}, "
-                    f"the smallest of several rounds, in turn with other rows. The unit is the time of "
-                    f"{UNIT} between them, {part['noise']}.")
-    return " ".join(said)
+def line(cells):
+    """One line of a table."""
+    return f"| {' | '.join(str(cell) for cell in cells)} |"
 
 
-def code(commit):
-    """A commit's name in Markdown."""
-    name, *others = commit.split(" ", 1)
-    return " ".join([f"`{name}`", *others])
+def figure(value):
+    """A number with at most one decimal, without powers of ten."""
+    return f"{value:,.0f}" if abs(value) >= 99.5 else f"{value:.1f}"
+
+
+def percent(shares):
+    """Shares as "1.2 / 3.4 / 5.6" [%]."""
+    return three(100 * share for share in shares)
+
+
+def three(values):
+    """Numbers as "1.2 / 3.4 / 5.6"."""
+    return " / ".join(map(figure, values))
+
+
+# --------------------------------------------------------------------------------------------- quoted results
+
+
+#: CONTACT v25.2 (Vollebregt), timed on another machine.  Errors of its approximations refer to its own
+#: complete theory at ten of the positions, 0 ... 6.5 mm at 78.5 kN.  Its times are for one wheel with
+#: prescribed force, search included; a wheelset has two wheels.  No time was reported for Kik-Piotrowski.
+SOURCE = "CONTACT v25.2, quoted, other machine"
+WHEELS = 2
+
+
+class Peer(NamedTuple):
+    """One program: shortest and longest time of one wheel [ms], or None; errors as shares (3,)."""
+
+    name: str
+    milliseconds: tuple | None
+    mean: np.ndarray
+    worst: np.ndarray
+
+    @property
+    def microseconds(self):
+        """Shortest and longest time of a wheelset [us], or None."""
+        return self.milliseconds and tuple(1e3 * WHEELS * time for time in self.milliseconds)
+
+
+PEERS = (
+    Peer("CONTACT's ANALYN", (6, 32), np.array([0.019, 0.059, 0.078]), np.array([0.049, 0.18, 0.20])),
+    Peer("CONTACT's Kik-Piotrowski", None, np.array([0.009, 0.067, 0.104]), np.array([0.038, 0.18, 0.28])),
+    Peer("CONTACT's complete theory", (5, 85), np.zeros(3), np.zeros(3)),
+)
+COMPLETE_THEORY = PEERS[-1]
 
 
 # --------------------------------------------------------------------------------------------- model by model
@@ -56,13 +85,6 @@ def code(commit):
 def models(parts):
     """All rows, and the quoted results of other programs."""
     return grid(MODELS, [*map(model_cells(parts), model_rows(parts)), *map(peer_cells, PEERS)])
-
-
-def short_models(parts):
-    """The rows of the README."""
-    chosen = {row.name for row in rows.all_rows(rows.FULL) if row.short} | {rows.FMU_ROW}
-    return grid(MODELS, [*map(model_cells(parts), filter(chosen.__contains__, model_rows(parts))),
-                         *map(peer_cells, PEERS)])
 
 
 def model_rows(parts):
@@ -74,7 +96,7 @@ def model_cells(parts):
     known = {**parts["model_errors"]["rows"], **parts["halfspace"]["rows"]}
 
     def cells(name):
-        time, found = model_rows(parts)[name], known.get(name) or known[rows.DEFAULT_ROW]
+        time, found = model_rows(parts)[name], known.get(name) or known[DEFAULT_ROW]
         first = [name, figure(time["units"]), figure(time["µs"])]
         if "roll" in found:
             return [*first, "", "", "", f"roll {found['roll']:.0e} rad, position {found['position']:.0e} mm"]
@@ -199,8 +221,9 @@ def manchester_table(parts):
 
 
 def elastic_table(parts):
-    return grid(["units a step", *MODES], [[name, *(figure(row[mode]["units"]) for mode in MODES)]
-                                           for name, row in parts["elastic_times"]["rows"].items()])
+    return grid(["units a step", *CONTACT_MODES],
+                [[name, *(figure(row[mode]["units"]) for mode in CONTACT_MODES)]
+                 for name, row in parts["elastic_times"]["rows"].items()])
 
 
 def trial_table(parts):
@@ -271,45 +294,21 @@ def figure_table(parts):
                  for number, row in parts["source_figures"]["rows"].items()], words=5)
 
 
-README, BENCHMARKS, METHOD = "README.md", "docs/benchmarks.md", "docs/method.md"
-CHECK, FMU, STUDY = "docs/check.md", "docs/fmu.md", "docs/source_study.md"
-CONFORMAL = "docs/conformal.md"
-MODEL_PARTS = ("model_errors", "halfspace", "model_times")
-ERRORS = f"Errors in {TRIPLE}."
+# ------------------------------------------------------------------------------------------ patches that turn
 
-TABLES = {
-    "short": Table(README, MODEL_PARTS, short_models, ERRORS),
-    "models": Table(BENCHMARKS, MODEL_PARTS, models, ERRORS),
-    "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), skip_table, ERRORS),
-    "counts": Table(BENCHMARKS, ("counts",), count_table),
-    "trajectory": Table(BENCHMARKS, ("trajectory",), trajectory_table),
-    "growth": Table(BENCHMARKS, ("growth",), growth_table),
-    "threads": Table(BENCHMARKS, ("threads",), thread_table),
-    "tolerances": Table(BENCHMARKS, ("tolerances",), tolerance_table, ERRORS),
-    "random": Table(BENCHMARKS, ("random_poses",), random_table),
-    "zones": Table(BENCHMARKS, ("zones",), zone_table, ERRORS),
-    "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.force_table),
-    "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tangential_tables.moment_table),
-    "creep_times": Table(BENCHMARKS, ("tangential_times",), tangential_tables.time_table),
-    "creep_short": Table("docs/rolling.md", ("tangential_errors", "tangential_times"),
-                         tangential_tables.short_table, tangential_tables.NOTE),
-    "creep_models": Table(README, ("tangential_errors", "tangential_times"), tangential_tables.model_table,
-                          tangential_tables.NOTE),
-    "curvature": Table(METHOD, ("curvature",), curvature_table, ERRORS),
-    "choices": Table(METHOD, ("choices",), choice_table, f"Changes in {TRIPLE}."),
-    "manchester": Table(METHOD, ("manchester",), manchester_table),
-    "elastic": Table(METHOD, ("elastic_times",), elastic_table),
-    "trials": Table(METHOD, ("elastic_trials",), trial_table),
-    "poses": Table(CONFORMAL, ("conformal",), conformal.pose_table),
-    "contact": Table(CONFORMAL, ("conformal",), conformal.contact_table),
-    "roll": Table(METHOD, ("elastic_roll",), roll_table),
-    "derivatives": Table(METHOD, ("derivative_times",), derivative_table),
-    "conicity": Table(CHECK, ("conicity", "conicity_noise"), conicity_table,
-                      f"Noise: {1e3 * conicity.NOISE:g} µm in y and z of points every "
-                      f"{conicity.SPACING} mm."),
-    "en15302": Table(CHECK, ("en15302",), benchmark_table),
-    "stations": Table(FMU, ("stations", "station_times"), station_table),
-    "noise": Table("docs/profiles.md", ("profile_noise",), noise_table),
-    "searches": Table(STUDY, ("source_searches",), source_tables),
-    "figures": Table(STUDY, ("source_figures",), figure_table),
-}
+
+def turning_table(parts):
+    rows = parts["conformal"]["rows"]
+    return grid(["right wheel at", "theory", "penetration, µm", "area, mm²", "peak pressure, MPa"],
+                [[name, theory, *(figure(value) for value in values)]
+                 for name, theories in rows.items() if name not in TURNING_MODELS
+                 for theory, values in theories.items()])
+
+
+def conformal_table(parts):
+    rows = parts["conformal"]["rows"]
+    names = rows[next(iter(TURNING_MODELS))]
+    return grid(["force / area / peak pressure, %", *TURNING_MODELS.values()],
+                [[name, *(" / ".join(f"{value:.2f}" if name in ("mean", "worst") else f"{value:+.2f}"
+                                     for value in rows[model][name]) for model in TURNING_MODELS)]
+                 for name in names])

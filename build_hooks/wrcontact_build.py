@@ -6,7 +6,7 @@
   benchmarks``), which finds this package before the installed one.  Git ignores it, and the loader refuses it
   when its sources have changed.
 * ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with
-  ziglang, whatever compilers are installed; kernel_compiler.py lists the platforms.
+  ziglang, whatever compilers are installed; wrcontact/kernel/binding/platforms.py lists them.
 * The FMU's sources, ``fmu_src`` at the top of the checkout, are part of the wheel as ``wrcontact/fmu_src``.
 * If compilation fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the
   package then runs its Python source, slowly, with a warning.  pip shows the build's warning only with
@@ -17,37 +17,40 @@
 
 import atexit
 import contextlib
+import importlib
 import shutil
 import sys
 import tempfile
+import types
 from pathlib import Path
 
-from kernel_compiler import (
-    KERNEL,
-    LIBRARY_NAME,
-    PLATFORMS,
-    CompilerProblem,
-    chosen_platform,
-    compile_library,
-    place,
-    requirements,
-    wanted,
-)
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F401,F403  the unchanged hooks
 from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build import build
 from setuptools.command.build_py import build_py
 
-PACKAGE = KERNEL.parent
+PACKAGE = Path(__file__).resolve().parents[1] / "wrcontact"
+KERNEL = PACKAGE / "kernel"
+
+
+def module_of_sources(name):
+    """A module of the package, which is not installed yet: imported with its folders and without
+    wrcontact/__init__.py, which needs numpy."""
+    bare = sys.modules.setdefault("wrcontact_sources", types.ModuleType("wrcontact_sources"))
+    bare.__path__ = [str(PACKAGE)]
+    return importlib.import_module(f"{bare.__name__}.{name}")
+
+
+compiler = module_of_sources("kernel.binding.compiler")
 
 
 def get_requires_for_build_wheel(config_settings=None):
-    return build_meta.get_requires_for_build_wheel(config_settings) + requirements()
+    return build_meta.get_requires_for_build_wheel(config_settings) + compiler.requirements()
 
 
 def get_requires_for_build_editable(config_settings=None):
-    return build_meta.get_requires_for_build_editable(config_settings) + requirements()
+    return build_meta.get_requires_for_build_editable(config_settings) + compiler.requirements()
 
 
 class FreshBuild(build):
@@ -65,7 +68,7 @@ class BuildWithKernel(build_py):
     def run(self):
         super().run()
         package = PACKAGE if self.editable_mode else Path(self.build_lib, "wrcontact")
-        self.distribution.has_kernel_library = wanted() and compiled_into(package / "kernel")
+        self.distribution.has_kernel_library = compiler.wanted() and compiled_into(package / "kernel")
         if not self.editable_mode:
             shutil.copytree(PACKAGE.parent / "fmu_src", package / "fmu_src",
                             ignore=shutil.ignore_patterns("__pycache__"))
@@ -82,8 +85,8 @@ class PlatformWheel(bdist_wheel):
     def get_tag(self):
         if not getattr(self.distribution, "has_kernel_library", True):
             return "py3", "none", "any"
-        return ("py3", "none", PLATFORMS[chosen_platform()].wheel if chosen_platform()
-                else super().get_tag()[2])
+        chosen = compiler.chosen_platform()
+        return "py3", "none", compiler.PLATFORMS[chosen].wheel if chosen else super().get_tag()[2]
 
 
 def compiled_into(folder):
@@ -93,16 +96,15 @@ def compiled_into(folder):
     For a platform chosen by WRCONTACT_PLATFORM it is compiled only into ``folder``, and a failure is an
     error.
     """
-    if chosen_platform():
-        return bool(compile_library(folder, platform=chosen_platform()))
+    if compiler.chosen_platform():
+        return bool(compiler.compile_library(folder, platform=compiler.chosen_platform()))
     try:
-        library = compile_library(folder)
-    except (CompilerProblem, OSError) as problem:
-        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 times "
-              f"slower): {problem}",
-              file=sys.stderr)
+        library = compiler.compile_library(folder)
+    except (compiler.CompilerProblem, OSError) as problem:
+        print(f"WARNING: {compiler.LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 "
+              f"times slower): {problem}", file=sys.stderr)
         return False
     if folder != KERNEL:
         with contextlib.suppress(OSError):          # a read-only checkout
-            place(library, KERNEL)
+            compiler.write_atomically(KERNEL / library.name, library.read_bytes())
     return True

@@ -17,11 +17,10 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
 import wrcontact  # noqa: E402
+from data import hunting_theory as theory  # noqa: E402
+from data import manchester  # noqa: E402
 from examples.hunting_wheelset import coupling, curve_entry, energy, hunting, long_run, structure  # noqa: E402
-from examples.hunting_wheelset.stability import Linear  # noqa: E402
-from tests.friction import test_manchester_creep as benchmark  # noqa: E402
-from tests.helpers import hunting_theory as theory  # noqa: E402
-from tests.loop import test_hunting as compared  # noqa: E402
+from examples.hunting_wheelset.stability import LINEAR, LINEAR_FRICTION, Linear  # noqa: E402
 from wrcontact.plots.style import save  # noqa: E402
 
 PAGE, IMAGES = ROOT / "docs" / "closed_loop.md", ROOT / "docs" / "img"
@@ -45,9 +44,10 @@ def klingel(archives):
 
 
 def critical(archives):
-    model = compared.theory_of_cones()
+    touched = hunting.elastic(coupling.CONES).evaluate(0.0).right.contact.y_track
+    model = theory.cones(touched, hunting.SUSPENSION)
     rows = []
-    with Linear(archives, hunting.SUSPENSION, compared.LINEAR, compared.FRICTION) as linear:
+    with Linear(archives, hunting.SUSPENSION, LINEAR, LINEAR_FRICTION) as linear:
         for speed in (20.0, 40.0, 60.0, 80.0):
             found, wanted = linear.root(speed), theory.hunting_root(theory.state_matrix(model, speed))
             rows.append([f"{speed:g}", f"{found.real:+.4f}", f"{wanted.real:+.4f}", f"{found.imag:.3f}",
@@ -111,11 +111,11 @@ def master(archives):
             f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}."]
 
 
-def manchester(archives):
+def manchester_creep(archives):
     """Errors of all models beside CONTACT's forces, by CONTACT's CSV."""
     rows = []
-    for row in benchmark.rows():
-        errors = [100 * benchmark.error(row, benchmark.wheel(row, model)) for model in MODELS]
+    for row in manchester.rows():
+        errors = [100 * manchester.error(row, manchester.wheel(row, model)) for model in MODELS]
         rows.append([f"{row['side']}, {row['lateral_shift_mm']:g} mm", f"{-row['Fx_N']:.0f}",
                      f"{row['Fs_N']:.0f}", *(f"{error:.2f}" for error in errors)])
     means = np.mean([[float(cell) for cell in row[3:]] for row in rows], axis=0)
@@ -124,7 +124,7 @@ def manchester(archives):
 
 
 PARTS = {"klingel": klingel, "critical": critical, "hunting": hunts, "energy": energies, "curve": curve,
-         "long": long, "master": master, "manchester": manchester}
+         "long": long, "master": master, "manchester": manchester_creep}
 
 
 def write(name, lines):

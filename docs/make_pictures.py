@@ -98,8 +98,8 @@ def frames():
 def conformal():
     """Peak pressure over the arc and outline of the right wheel's patches at three poses, by both
     theories."""
-    from wrcontact.reference.edge import chords, edge_field
-    from wrcontact.study.planar import planar_contact
+    from benchmarks.studies.planar import planar_contact
+    from wrcontact.halfspace.edge import chords, edge_field
 
     figure = style.new_figure(10.5, 5.4)
     panels = figure.subplots(2, 3, sharex="col", height_ratios=(1.2, 1))
@@ -128,8 +128,8 @@ def conformal():
 
 def source(number):
     """A figure of the degree project that wrcontact started from."""
-    from wrcontact.plots.source_figures import source_figure
     from wrcontact.study.figures import Study, compute
+    from wrcontact.study.pictures import source_figure
 
     return source_figure(compute(number, Study()))
 

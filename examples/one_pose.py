@@ -14,5 +14,5 @@ print(f"contact on the right wheel at y = {right.contact.y_wheel * 1e3:.4f} mm, 
 print(f"patch {right.area * 1e6:.1f} mm2, largest pressure {right.max_pressure / 1e6:.0f} MPa")
 save(pose_figure(system, state), "one_pose.png")
 
-# an independent brute-force search finds the same position (tests/reference/rigid_positions.csv)
+# an independent brute-force search finds the same position (data/rigid_positions.csv)
 assert abs(right.contact.y_wheel - -9.3566677e-3) < 1e-9  # [m]

@@ -4,7 +4,7 @@ import sys
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
-from wrcontact.simulation.session import STATUS, Refused, Session
+from wrcontact.simulation.session import STATUS_REFERENCE, Refused, Session
 
 
 class WheelsetContact(Fmi2Slave):
@@ -44,7 +44,7 @@ class WheelsetContact(Fmi2Slave):
         self._do(self.session.set_reals, vrs, values)
 
     def get_integer(self, vrs):
-        return self._do(self.session.get_integers, vrs) or [4 if vr == STATUS else 0 for vr in vrs]
+        return self._do(self.session.get_integers, vrs) or [4 if vr == STATUS_REFERENCE else 0 for vr in vrs]
 
     def set_integer(self, vrs, values):
         self._do(self.session.set_integers, vrs, values)

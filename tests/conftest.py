@@ -1,4 +1,4 @@
-"""For all tests of a run: FMUs, compiled once, and the command line as a function."""
+"""For all tests of a run: their tiers, FMUs, compiled once, and the command line as a function."""
 
 import os
 import shutil
@@ -6,15 +6,39 @@ import subprocess
 
 import pytest
 
+from tests.helpers.kept import cache_folder, kept_fmus
+from tests.helpers.paths import TESTS
 from wrcontact.cli import main
+from wrcontact.kernel.binding.compiler import KEPT
+
+#: Rooms whose tests are ``full``, except those that are marked ``check``.
+FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "rolling", "study")
+
+
+def room_of(path):
+    return path.relative_to(TESTS).parts[0] if TESTS in path.parents else ""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if room_of(item.path) in FULL_ROOMS and not item.get_closest_marker("check"):
+            item.add_marker(pytest.mark.full)
 
 
 @pytest.fixture(scope="session")
-def compiled(tmp_path_factory):
-    """Folder in which compiled sources are kept for the next FMU; all workers of a run have the same."""
-    if "PYTEST_XDIST_WORKER" in os.environ:
-        return tmp_path_factory.getbasetemp().parent / "compiled"
-    return tmp_path_factory.mktemp("compiled")
+def cache(tmp_path_factory):
+    """Folder of what is kept from run to run, the same for all workers."""
+    run = tmp_path_factory.getbasetemp()
+    return cache_folder(run.parent if "PYTEST_XDIST_WORKER" in os.environ else run)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiled(cache):
+    """Folder in which compiled sources are kept, by this process and by those that it starts."""
+    os.environ[KEPT] = str(cache / "compiled")
+    yield cache / "compiled"
+    del os.environ[KEPT]
 
 
 @pytest.fixture
@@ -31,11 +55,21 @@ def comma(tmp_path, monkeypatch):
 
 
 @pytest.fixture(scope="session")
-def fmus(tmp_path_factory, compiled):
-    """The native FMUs by version of FMI."""
-    from wrcontact.fmu import native
+def kept(tmp_path_factory, cache, compiled):
+    """FMUs of a maker with chosen profiles: ``kept("native", wheel=file)``."""
+    return lambda maker, **chosen: kept_fmus(cache, tmp_path_factory.mktemp(maker), maker, **chosen)
 
-    return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"), cache=compiled)))
+
+@pytest.fixture(scope="session")
+def fmus(kept):
+    """The native FMUs by version of FMI."""
+    return dict(zip((2, 3), kept("native")))
+
+
+@pytest.fixture(scope="session")
+def fmu(kept):
+    """The Python FMU."""
+    return kept("python")[0]
 
 
 @pytest.fixture

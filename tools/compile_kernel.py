@@ -3,26 +3,29 @@ tools/transpile_kernel.py.
 
     --folder DIR        write the library there instead of into wrcontact/kernel
     --check-bounds      end the program if an index is outside its array
+    --quick             with less optimising: the same bits, in half the time
 """
 
 import argparse
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "build_hooks"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from kernel_compiler import KERNEL, CompilerProblem, compile_library  # noqa: E402
+from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library  # noqa: E402
+from wrcontact.kernel.binding.files import HERE  # noqa: E402
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--folder", type=Path, default=KERNEL)
+    parser.add_argument("--folder", type=Path, default=HERE)
     parser.add_argument("--check-bounds", action="store_true")
+    parser.add_argument("--quick", action="store_true")
     options = parser.parse_args()
+    flags = ["-DWRCONTACT_CHECK_BOUNDS"] * options.check_bounds + ["-O1"] * options.quick
     try:
-        print(compile_library(options.folder, extra_flags=["-DWRCONTACT_CHECK_BOUNDS"] if options.check_bounds
-                              else []))
+        print(compile_library(options.folder, extra_flags=flags))
     except (CompilerProblem, OSError) as problem:
         sys.exit(str(problem))
 

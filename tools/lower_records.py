@@ -8,6 +8,7 @@ before anything is translated.
     frame.raised                  work[WORK_FRAME + FRAME_RAISED]              there is only one Frame
     def f(frame: Frame, region: Region, x: float)     def f(work: 'float[:]', region: int, x: float)
     def f(...) -> Region                              def f(...) -> int
+    def f(...) without a result                       the same with ``return 0`` at its end
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
 
 The classes of the room layout (record_layout.py) say where each field is and in which array each record
@@ -23,6 +24,8 @@ from ctypes import sizeof
 
 from record_layout import Layout, Refused, constant, is_record, is_root, is_run
 
+#: Marks for the C compiler (layout/marks.py).
+MARKS = {"inlined", "seldom"}
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")
 # records, or numbers, at the sum of ``terms`` in ``array``
@@ -67,6 +70,8 @@ class Lowered(ast.NodeTransformer):
     # --- functions ------------------------------------------------------------------------------------
 
     def function(self, node):
+        for mark in node.decorator_list:
+            self.edits.append(((mark.lineno, 0), (mark.end_lineno, mark.end_col_offset), ""))
         parameters = record_parameters(node, self.layout)
         self.records = {}
         self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)
@@ -91,8 +96,32 @@ class Lowered(ast.NodeTransformer):
             first, last = node.args.args[0], node.args.args[-1].annotation
             self.edit(first, last, ", ".join(texts))
         if node.returns:
-            self.edit(node.returns, node.returns, "int")
+            self.result(node)
         self.block(node.body)
+        self.end(node)
+
+    def result(self, node):
+        """A record that a function returns is its offset; a truth is what Pyccel finds by itself."""
+        if node.returns.id != "bool":
+            self.edit(node.returns, node.returns, "int")
+            return
+        line = self.lines[node.returns.lineno - 1]
+        start = line[:node.returns.col_offset].rindex(b"->")
+        self.edits.append(((node.returns.lineno, len(line[:start].rstrip())),
+                           (node.returns.end_lineno, node.returns.end_col_offset), ""))
+
+    def end(self, node):
+        """A function without a result returns 0, as C and the differentiation have it; the line is that
+        below its last one, which is empty."""
+        if any(part.value for part in ast.walk(node) if isinstance(part, ast.Return)):
+            return
+        for part in ast.walk(node):
+            if isinstance(part, ast.Return):
+                self.edit(part, part, "return 0")
+        if not isinstance(node.body[-1], ast.Return):
+            self.lines += [b""] * (node.end_lineno + 1 - len(self.lines))
+            place = node.end_lineno + 1, 0
+            self.edits.append((place, place, "    return 0"))
 
     def array_name(self, array):
         """What this function calls an array: its parameter of the class at that array's head,
@@ -290,7 +319,8 @@ class Lowered(ast.NodeTransformer):
                                               for word in re.findall(r"\w+", text)}
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
-                names = {alias.name for alias in node.names} - set(self.layout.classes) - {"offset"} | wanted
+                names = wanted.union(alias.name for alias in node.names)
+                names -= {*self.layout.classes, "offset", *MARKS}
                 self.edit(node, node, f"from .layout import {', '.join(sorted(names))}" if names else "")
             elif isinstance(node, ast.ImportFrom) and node.module == "record":
                 self.edit(node, node, "")
@@ -326,7 +356,8 @@ def lower(texts, module):
     functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body
                  if isinstance(node, ast.FunctionDef)]
     signatures = {(name, node.name): record_parameters(node, layout) for name, node in functions}
-    results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions if node.returns}
+    results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions
+               if node.returns and node.returns.id != "bool"}
     lowered, refusals = {}, []
     for name in texts.keys() - {"layout"}:
         try:

@@ -23,8 +23,7 @@ for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):    # small matrices
 
 import numpy as np  # noqa: E402
 
-from wrcontact.reference.rolling import nodes  # noqa: E402
-from wrcontact.reference.rolling.kalker import creep_coefficients  # noqa: E402
+from wrcontact.halfspace.rolling import nodes  # noqa: E402
 
 FOLDER = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel" / "data"
 POISSON_RATIOS = (0.28, 0.25, 0.30)
@@ -59,7 +58,7 @@ def make_table(poisson_ratio, workers, folder):
             found[line] = values
             file.write(" ".join([*map(str, line), *(f"{each:.7g}" for each in values.ravel()), "end\n"]))
             file.flush()
-    coefficients = [creep_coefficients(ratio, 1.0, poisson_ratio) for ratio in nodes.RATIO]
+    coefficients = [nodes.creep_coefficients(ratio, 1.0, poisson_ratio) for ratio in nodes.RATIO]
     np.savez_compressed(path, forces=nodes.filled(found).astype(np.float32), columns=np.array(nodes.COLUMNS),
                         ratio=nodes.RATIO, beta=nodes.BETA, alpha=nodes.ALPHA, rho=nodes.RHO,
                         poisson_ratio=poisson_ratio, creep_coefficients=np.array(coefficients))

@@ -3,6 +3,8 @@
     python tools/transpile_kernel.py            write the C files
     python tools/transpile_kernel.py --check    write nothing; exit 1 if the files are not up to date
 
+What has not changed since it was last translated by the first command is not translated again (cache.py).
+
 A developer's tool: it needs Pyccel (``pip install ".[dev]"``, which needs gcc and gfortran). The C files are
 committed, so that installing needs a C compiler only. The output depends on the modules and on Pyccel's
 version, on nothing else.
@@ -15,8 +17,8 @@ What Pyccel writes is tidied like this:
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
 * Functions are ``static``, in the order of the Python source, each under its docstring. Three translation
   units include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once,
-  ``tangent_unit.c`` the derivatives, which tools/tangent writes. Modules in SELDOM are not inlined, functions
-  in INLINED always (tools/transpile/tidy.py). Locals that Pyccel adds and nobody reads are dropped.
+  ``tangent_unit.c`` the derivatives, which tools/tangent writes. What is marked ``@seldom`` is not inlined,
+  ``@inlined`` always (kernel/layout/marks.py). Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 The steps are the files of tools/transpile: ``modules`` reads the Python, ``translator`` runs Pyccel, ``tidy``
@@ -38,6 +40,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 # found through the line above
+from transpile.cache import translated  # noqa: E402
 from transpile.modules import FILES, KERNEL, Module, Refused, flat_name, read_modules, source_modules  # noqa: E402
 from transpile.translator import run_pyccel  # noqa: E402
 from transpile.units import assemble  # noqa: E402
@@ -54,7 +57,7 @@ def main(arguments=None):
     parser.add_argument("--kernel", type=Path, default=KERNEL, help="folder of the kernel's modules")
     options = parser.parse_args(arguments)
     try:
-        files = translate(options.kernel)
+        files = translate(options.kernel, fresh=options.check)
     except Refused as refusal:
         sys.exit(f"The kernel was not translated: {refusal}")
     generated = options.kernel / "generated"
@@ -69,10 +72,11 @@ def main(arguments=None):
         print(f"The {len(files)} generated files are up to date.")
 
 
-def translate(kernel):
-    """Text of every generated file by name, from the modules in the folder ``kernel``."""
+def translate(kernel, fresh=True):
+    """Text of every generated file by name, from the modules in the folder ``kernel``; what is not ``fresh``
+    may come from an earlier translation."""
     modules = read_modules(kernel)
-    return assemble(kernel, modules, run_pyccel(modules))
+    return assemble(kernel, modules, translated(modules, fresh))
 
 
 def stale_files(files, generated):

@@ -5,32 +5,8 @@ from importlib import import_module
 from .creep import CreepForces, CreepPatch, creep_forces, elliptic_patch, outlined_patch, patch_of
 from .interface.friction import Friction
 from .interface.parameters import Material, Track, Wheelset
-from .methods import (
-    Adaptive,
-    Analyn,
-    BasicCurvature,
-    Compliant,
-    CoupledStrips,
-    EffectiveCurvature,
-    Elastic,
-    Equidistant,
-    EquidistantChord,
-    Fastrip,
-    Fastsim,
-    Halfspace,
-    HalfspaceRolling,
-    Hertz,
-    NormalLoad,
-    NormalSeparation,
-    NoTangential,
-    Polach,
-    Rigid,
-    Rough,
-    Smooth,
-    Strip,
-    VerticalLoad,
-    VerticalSeparation,
-)
+from .methods import *  # noqa: F403
+from .methods import __all__ as _methods
 from .methods.numbers import UnusualValueWarning
 from .profiles import Profile, ProfileFile, ProfileWarning
 from .state import WheelsetState
@@ -39,16 +15,13 @@ from .stepper import Stepper
 from .system import ContactSystem
 
 __version__ = "0.1.0"
-__all__ = ["ContactSystem", "Profile", "ProfileFile", "ProfileWarning", "Status", "Stepper",
-           "UnusualValueWarning", "WheelsetState", "check", "explain", "Friction", "Material", "Track",
-           "Wheelset", "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace",
-           "Hertz", "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
-           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth", "CoupledStrips",
-           "Fastrip", "Fastsim", "HalfspaceRolling", "NoTangential", "Polach", "CreepForces", "CreepPatch",
-           "creep_forces", "elliptic_patch", "outlined_patch", "patch_of"]
+__all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "Material", "Profile", "ProfileFile",
+           "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "Wheelset",
+           "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain", "outlined_patch",
+           "patch_of", *_methods]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "plots", "reference", "study"})
+_LATER = frozenset({"conditioning", "halfspace", "plots", "study"})
 
 
 def __getattr__(name):

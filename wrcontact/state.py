@@ -179,7 +179,7 @@ for _place, (_axis, _way) in enumerate(AXES):
     setattr(Vector, _axis, _at(_place, f"Component {_way}."))
 
 
-@_named(table.PATCH, layout.Patch)
+@_named(table.PATCH, layout.PatchOutputs)
 class Patch(_View):
     """One contact patch."""
 
@@ -217,7 +217,7 @@ class Side(_View):
     @property
     def patches(self):
         """Patches by decreasing load; in a table always three, with zeros for missing ones."""
-        start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_SIZE
+        start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_OUTPUTS_SIZE
         count = layout.PATCH_LIMIT if self._values.ndim > 1 else min(self.patch_count, layout.PATCH_LIMIT)
         return tuple(Patch(self._values, start + size * k) for k in range(count))
 

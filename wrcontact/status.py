@@ -1,7 +1,9 @@
-"""The status of a step, and the sentence that explains it."""
+"""The status of a step, and the sentence that explains it; native FMUs get the table of sentences as C."""
 
 import math
+import re
 from enum import IntEnum
+from typing import NamedTuple
 
 from .interface.friction import FRICTION, FRICTION_LIMIT
 from .interface.inputs import INPUT_NAMES, INPUT_UNITS, INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
@@ -42,7 +44,6 @@ class Terms:
 
 #: The end of sentences on steps that leave the outputs as they are.
 KEPT = "; the outputs keep their last valid values"
-RAIL_NAMES = tuple(row.name for row in RAILS)
 UNITS_BY_NAME = dict(zip(INPUT_NAMES, INPUT_UNITS))
 
 
@@ -50,6 +51,72 @@ def distinct(value, limit):
     """``value`` as text with six digits, or with as many as it needs to differ from ``limit``."""
     texts = (f"{value:.{digits}g}" for digits in range(6, 18))
     return next((text for text in texts if abs(float(text)) != abs(limit) or value == limit), repr(value))
+
+
+class Sentence(NamedTuple):
+    """What is said of a status if a test of one input holds, in one contact mode or in all."""
+
+    status: Status
+    test: str                   #: one of TESTS
+    name: str                   #: the input that is tested
+    limit: float                #: of the test, and what the shown value has to differ from
+    text: str                   #: <name of an input>, [value with its unit], [input:value], {length in m}
+    compliant: bool | None = None       #: None is every contact mode
+
+
+#: Tests of an input against a limit.
+TESTS = {"always": lambda value, limit: True,
+         "infinite": lambda value, limit: not math.isfinite(value),
+         "beyond": lambda value, limit: abs(value) > limit,
+         "outside": lambda value, limit: not 0.0 <= value <= limit,
+         "negative": lambda value, limit: value < 0.0,
+         "zero": lambda value, limit: value == 0.0}
+
+
+def _beyond(status, name, limit, why="", compliant=None):
+    """That an input exceeds the limit of its size."""
+    text = f"<{name}> is [{name}]{why}; permitted is |<{name}>| <= [{name}:{limit!r}]"
+    return Sentence(status, "beyond", name, limit, text, compliant)
+
+
+#: The first one that holds is said.
+SENTENCES = (
+    *(Sentence(Status.INVALID_INPUT, "infinite", name, math.nan,
+               f"<{name}> is [{name}]; permitted are finite numbers") for name in INPUT_NAMES),
+    *(_beyond(Status.INVALID_INPUT, row.name, row.maximum) for row in INPUTS if row.limited),
+    *(Sentence(Status.INVALID_INPUT, "outside", row.name, FRICTION_LIMIT,
+               f"<{row.name}> is [{row.name}]; permitted is 0 <= <{row.name}> <= "
+               f"[{row.name}:{FRICTION_LIMIT!r}]") for row in FRICTION),
+    Sentence(Status.INVALID_INPUT, "negative", "normal_force", 0.0,
+             "<normal_force> is [normal_force]; permitted is <normal_force> >= [normal_force:0.0]"),
+    Sentence(Status.INVALID_INPUT, "always", "load_transfer", 1.0,
+             "<load_transfer> is [load_transfer]; permitted is -1 <= <load_transfer> <= 1"),
+    Sentence(Status.UNLOADED, "always", "vertical_shift_input", math.nan,
+             "<vertical_shift_input> is [vertical_shift_input] at <roll_input> [roll_input], so a wheel is "
+             "lifted and carries no load; its patch is empty (a larger <vertical_shift_input> lowers the "
+             "wheelset)", True),
+    *(Sentence(Status.UNLOADED, test, name, math.nan,
+               f"<{name}> is [{name}], so a wheel carries no load; its patch is empty (a load needs "
+               "<normal_force> > [normal_force:0.0] and |<load_transfer>| < 1)", False)
+      for test, name in (("zero", "normal_force"), ("always", "load_transfer"))),
+    _beyond(Status.OFF_PROFILE, "lateral_shift", LATERAL_LIMIT, ", beyond the profiles"),
+    _beyond(Status.OFF_PROFILE, "yaw", YAW_LIMIT, ", beyond the profiles"),
+    *(_beyond(Status.OFF_PROFILE, row.name,
+              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT) for row in RAILS),
+    _beyond(Status.OFF_PROFILE, "roll_input", ROLL_LIMIT, compliant=True),
+    Sentence(Status.OFF_PROFILE, "always", "vertical_shift_input", math.nan,
+             "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "
+             "<lateral_shift> [lateral_shift]: the contact leaves a profile, or a wheel is deeper in its "
+             f"rail than {{{DEEPEST!r}}}", True),
+    Sentence(Status.OFF_PROFILE, "always", "lateral_shift", math.nan,
+             "<lateral_shift> is [lateral_shift] at <yaw> [yaw]: the smallest gap lies at the end of a "
+             "profile, so there is no contact; or, in elastic contact, <normal_force> [normal_force] with "
+             "<load_transfer> [load_transfer] presses a wheel deeper into its rail than "
+             f"{{{DEEPEST!r}}}; permitted are poses with the contact inside both profiles", False),
+    Sentence(Status.NOT_CONVERGED, "always", "lateral_shift", math.nan,
+             "no solution at <lateral_shift> [lateral_shift], <yaw> [yaw], <normal_force> [normal_force], "
+             "<load_transfer> [load_transfer] within the iteration limit"),
+)
 
 
 def explain(status, inputs, compliant=False, terms=None, held=False):
@@ -61,86 +128,25 @@ def explain(status, inputs, compliant=False, terms=None, held=False):
     """
     if status == Status.VALID:
         return ""
-    kept = KEPT if held else ""
-    said = _Sentence(terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs))))
-    if status == Status.INVALID_INPUT:
-        return f"{_invalid_input(said)}{kept}"
-    if status == Status.UNLOADED:
-        return _unloaded(said, compliant)
-    if status == Status.OFF_PROFILE:
-        return f"{_off_profile(said, compliant)}{kept}"
-    pose = ", ".join(f"{said.name(name)} {said.value(name)}"
-                     for name in ("lateral_shift", "yaw", "normal_force", "load_transfer"))
-    return f"no solution at {pose} within the iteration limit{kept}"
+    terms, given = terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs)))
+    said = next(row for row in SENTENCES
+                if row.status == status and row.compliant in (None, bool(compliant))
+                and TESTS[row.test](given[row.name], row.limit))
+    text = written(said.text, terms, lambda name: terms.value(
+        name, given[name], said.limit if name == said.name else math.nan))
+    return text + (KEPT if held and status >= Status.OFF_PROFILE else "")
 
 
-class _Sentence:
-    """Parts of a sentence on the ``inputs``, {name: value}."""
+def written(text, terms, value):
+    """The text of a :class:`Sentence` with names and lengths as ``terms`` has them, and with each
+    ``value(name)``."""
 
-    def __init__(self, terms, inputs):
-        self.terms, self.inputs, self.name = terms, inputs, terms.name
+    def put(found):
+        name, shown, given, length = found.groups()
+        if name:
+            return terms.name(name)
+        if length:
+            return terms.length(float(length))
+        return terms.value(shown, float(given)) if given else value(shown)
 
-    def value(self, name, limit=math.nan):
-        return self.terms.value(name, self.inputs[name], limit)
-
-    def equals(self, name, limit=math.nan):
-        return f"{self.name(name)} is {self.value(name, limit)}"
-
-    def beyond(self, name, limit, why=""):
-        """That an input exceeds the limit of its size."""
-        return (f"{self.equals(name, limit)}{why}; permitted is |{self.name(name)}| <= "
-                f"{self.terms.value(name, limit)}")
-
-
-def _unloaded(said, compliant):
-    if compliant:
-        return (f"{said.equals('vertical_shift_input')} at {said.name('roll_input')} "
-                f"{said.value('roll_input')}, so a wheel is lifted and carries no load; its patch is empty "
-                f"(a larger {said.name('vertical_shift_input')} lowers the wheelset)")
-    name = "normal_force" if said.inputs["normal_force"] == 0.0 else "load_transfer"
-    return (f"{said.equals(name)}, so a wheel carries no load; its patch is empty (a load needs "
-            f"{said.name('normal_force')} > {said.terms.value('normal_force', 0.0)} and "
-            f"|{said.name('load_transfer')}| < 1)")
-
-
-def _off_profile(said, compliant):
-    shift, yaw, roll = (abs(said.inputs[name]) for name in ("lateral_shift", "yaw", "roll_input"))
-    if shift > LATERAL_LIMIT:
-        return said.beyond("lateral_shift", LATERAL_LIMIT, ", beyond the profiles")
-    if yaw > YAW_LIMIT:
-        return said.beyond("yaw", YAW_LIMIT, ", beyond the profiles")
-    for name in RAIL_NAMES:
-        limit = RAIL_ROLL_LIMIT if name.endswith("rail_roll") else RAIL_LIMIT
-        if abs(said.inputs[name]) > limit:
-            return said.beyond(name, limit)
-    deepest = said.terms.length(DEEPEST)
-    if compliant and roll > ROLL_LIMIT:
-        return said.beyond("roll_input", ROLL_LIMIT)
-    if compliant:
-        return (f"{said.equals('vertical_shift_input')} and {said.name('roll_input')} "
-                f"{said.value('roll_input')} at {said.name('lateral_shift')} {said.value('lateral_shift')}: "
-                f"the contact leaves a profile, or a wheel is deeper in its rail than {deepest}")
-    return (f"{said.equals('lateral_shift')} at {said.name('yaw')} {said.value('yaw')}: the smallest gap "
-            "lies at the end of a profile, so there is no contact; or, in elastic contact, "
-            f"{said.name('normal_force')} {said.value('normal_force')} with {said.name('load_transfer')} "
-            f"{said.value('load_transfer')} presses a wheel deeper into its rail than {deepest}; permitted "
-            "are poses with the contact inside both profiles")
-
-
-def _invalid_input(said):
-    """A clause on the first input that is not permitted."""
-    for name in INPUT_NAMES:
-        if not math.isfinite(said.inputs[name]):
-            return f"{said.equals(name)}; permitted are finite numbers"
-    for row in INPUTS:
-        if row.limited and abs(said.inputs[row.name]) > row.maximum:
-            return said.beyond(row.name, row.maximum)
-    for row in FRICTION:
-        if not 0.0 <= said.inputs[row.name] <= FRICTION_LIMIT:
-            return (f"{said.equals(row.name, FRICTION_LIMIT)}; permitted is 0 <= {said.name(row.name)} <= "
-                    f"{said.terms.value(row.name, FRICTION_LIMIT)}")
-    if said.inputs["normal_force"] < 0.0:
-        return (f"{said.equals('normal_force', 0.0)}; permitted is {said.name('normal_force')} >= "
-                f"{said.terms.value('normal_force', 0.0)}")
-    return (f"{said.equals('load_transfer', 1.0)}; permitted is -1 <= {said.name('load_transfer')} "
-            "<= 1")
+    return re.sub(r"<([a-z][\w.]*)>|\[([\w.]+)(?::([^]]+))?\]|{(.+?)}", put, text)

@@ -1,7 +1,7 @@
 """One wheelset that is moved in time.
 
 A stepper holds the arrays of one wheelset and a solver that works on them: the kernel, or the half-space
-model of wrcontact/reference/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
+model of wrcontact/halfspace/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
 """
 
 import math
@@ -12,7 +12,7 @@ import numpy as np
 from .kernel import layout
 from .kernel.binding.library import default_kernel
 from .kernel.patch.outline import row_size
-from .methods.choices import check_choice
+from .methods.numbers import check_choice
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
@@ -76,12 +76,12 @@ class Stepper:
         return self._bound.step()
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous
+        """Evaluate rows of ``inputs`` (n, inputs) into rows of ``outputs`` and ``status`` (n,), C-contiguous
         float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
     def parts(self, inputs, places=None):
-        """Evaluate rows of ``inputs`` (n, 7), part after part.
+        """Evaluate rows of ``inputs`` (n, inputs), part after part.
 
         Yields the rows' slice, their outputs (rows, k) at ``places`` (None: all), and their status (rows,).
         Rows with status 2, 3 or 4 are NaN.  The arrays are used again for the next part.

@@ -157,11 +157,11 @@ class ContactSystem:
 
     def _new_stepper(self):
         if isinstance(self.methods["normal_model"], Halfspace):
-            from .reference.stepping import halfspace_solver  # scipy is not needed before
+            from .halfspace.stepping import halfspace_solver  # scipy is not needed before
 
             return Stepper(self._tables, halfspace_solver(*self._halfspace), self._left_tables)
         if isinstance(self.methods["tangential_model"], HalfspaceRolling):
-            from .reference.rolling_step import RollingSolver
+            from .halfspace.rolling_step import RollingSolver
 
             return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]),
                            self._left_tables)
@@ -266,12 +266,12 @@ class ContactSystem:
         """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows."""
         if processes == 1 or len(rows) < 2 or not isinstance(self.methods["normal_model"], Halfspace):
             return stepper.parts(rows, places)
-        from .reference.processes import shared_parts  # scipy is not needed before
+        from .halfspace.processes import shared_parts  # scipy is not needed before
 
         return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
-        """What evaluate_many needs: rows of inputs (n, 7), the selection of outputs, and a stepper for
+        """What evaluate_many needs: rows of inputs (n, inputs), the selection of outputs, and a stepper for
         them."""
         given = input_values(arguments, inputs)
         try:

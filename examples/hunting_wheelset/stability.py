@@ -7,9 +7,13 @@ the wheelset's matrices and of the derivatives of the contact's forces at the st
 import numpy as np
 from scipy.optimize import brentq
 
-from .coupling import Loop
+from .coupling import CONES, Loop
 from .wheelset import Wheelset
 
+#: What linear theory has in closed form: Kalker's table with Hertz's patch on cones, friction far from its
+#: limit, so that creep forces are linear.
+LINEAR = CONES | {"normal_model": "hertz", "contact_damping": 0.0}
+LINEAR_FRICTION = 2.0
 #: Hunting is slower [rad/s] than the wheelset on the springs of its contacts.
 SLOW = 300.0
 

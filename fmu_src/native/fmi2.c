@@ -1,4 +1,5 @@
 /* FMI 2.0 co-simulation: an instance, its life and its saved states; values and derivatives are in fmi2_values.c. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -59,7 +60,11 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     if (type != fmi2CoSimulation)
         return refuse_instance(callbacks, name, "fmi2Instantiate: permitted is co-simulation only");
     if (!guid || strcmp(guid, MODEL_TOKEN) != 0)
-        return refuse_instance(callbacks, name, "fmi2Instantiate: the GUID is not the one of this library, " MODEL_TOKEN);
+    {
+        char sentence[200];
+        snprintf(sentence, sizeof sentence, "fmi2Instantiate: the GUID is not the one of this library, %s", MODEL_TOKEN);
+        return refuse_instance(callbacks, name, sentence);
+    }
     instance *self = calloc(1, sizeof *self);
     if (!self)
         return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");

@@ -8,13 +8,27 @@ static int check_pointers(instance *self, const char *function, const void *refe
     return 0;
 }
 
+static int check_reference(instance *self, fmi2ValueReference reference)
+{
+    if (reference > MODEL_BLOCKS || model_blocks[reference].first == BLOCK_RETIRED)
+        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 0 to %d",
+                               (unsigned long)reference, MODEL_BLOCKS);
+    return 0;
+}
+
+/* The place in the table of a value reference that exists. */
+static uint32_t place_of(fmi2ValueReference reference)
+{
+    return (uint32_t)model_blocks[reference].first;
+}
+
 /* Whether all of a list of values can be read. */
 static int check_list(instance *self, const char *function, const fmi2ValueReference references[], size_t count,
                       const void *values, model_type type)
 {
     int refused = check_pointers(self, function, references, count, values);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_get(self->wheelset, references[i], type);
+        refused = check_reference(self, references[i]) || wheelset_may_get(self->wheelset, place_of(references[i]), type);
     return refused;
 }
 
@@ -23,12 +37,12 @@ static int refresh(instance *self, const fmi2ValueReference references[], size_t
 {
     const int refused = wheelset_refresh(self->wheelset);
     for (size_t i = 0; i < count && !refused; i += 1)
-        if (wheelset_is_equilibrium(references[i]))
+        if (wheelset_is_equilibrium(place_of(references[i])))
             wheelset_find_equilibrium(self->wheelset);
     return refused;
 }
 
-/* A function that reads values of one type; `REFUSED` brings them up to date, `VALUE` is that of `reference`. */
+/* A function that reads values of one type; `REFUSED` brings them up to date, `VALUE` is that of `place`. */
 #define GET(NAME, C_TYPE, TYPE, REFUSED, VALUE)                                                                    \
     fmi2Status NAME(fmi2Component component, const fmi2ValueReference references[], size_t count, C_TYPE values[]) \
     {                                                                                                              \
@@ -39,20 +53,20 @@ static int refresh(instance *self, const fmi2ValueReference references[], size_t
             return fmi2_answer(self, 1);                                                                           \
         for (size_t i = 0; i < count; i += 1)                                                                      \
         {                                                                                                          \
-            const fmi2ValueReference reference = references[i];                                                    \
+            const uint32_t place = place_of(references[i]);                                                        \
             values[i] = VALUE;                                                                                     \
         }                                                                                                          \
         return fmi2OK;                                                                                             \
     }
 
-GET(fmi2GetReal, fmi2Real, MODEL_REAL, refresh(self, references, count), self->wheelset->core.values[reference])
-GET(fmi2GetInteger, fmi2Integer, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, reference))
-GET(fmi2GetString, fmi2String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[reference].slot])
+GET(fmi2GetReal, fmi2Real, MODEL_REAL, refresh(self, references, count), self->wheelset->core.values[place])
+GET(fmi2GetInteger, fmi2Integer, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, place))
+GET(fmi2GetString, fmi2String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[place].slot])
 
-GET(fmi2GetBoolean, fmi2Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[reference] != 0.0)
+GET(fmi2GetBoolean, fmi2Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[place] != 0.0)
 
-/* A function that sets values of one type, all of them or none: `REFUSED` is whether the value
- * of place `i` cannot be set, `APPLY` sets it. */
+/* A function that sets values of one type, all of them or none: `REFUSED` is whether value `i`
+ * cannot be set, `APPLY` sets it. */
 #define SET(NAME, C_TYPE, REFUSED, APPLY)                                                                                \
     fmi2Status NAME(fmi2Component component, const fmi2ValueReference references[], size_t count, const C_TYPE values[]) \
     {                                                                                                                    \
@@ -61,19 +75,19 @@ GET(fmi2GetBoolean, fmi2Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[r
             return fmi2Error;                                                                                            \
         int refused = check_pointers(self, #NAME, references, count, values);                                            \
         for (size_t i = 0; i < count && !refused; i += 1)                                                                \
-            refused = REFUSED;                                                                                           \
+            refused = check_reference(self, references[i]) || REFUSED;                                                   \
         for (size_t i = 0; i < count && !refused; i += 1)                                                                \
             APPLY;                                                                                                       \
         return fmi2_answer(self, refused);                                                                               \
     }
 
-SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, references[i], values[i]),
-    wheelset_set_real(self->wheelset, references[i], values[i]))
-SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, references[i]), (void)0)
-SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, references[i], values[i]),
-    wheelset_set_string(self->wheelset, references[i], values[i]))
-SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, references[i]),
-    wheelset_set_real(self->wheelset, references[i], values[i] ? 1.0 : 0.0))
+SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, place_of(references[i]), values[i]),
+    wheelset_set_real(self->wheelset, place_of(references[i]), values[i]))
+SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, place_of(references[i])), (void)0)
+SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, place_of(references[i]), values[i]),
+    wheelset_set_string(self->wheelset, place_of(references[i]), values[i]))
+SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, place_of(references[i])),
+    wheelset_set_real(self->wheelset, place_of(references[i]), values[i] ? 1.0 : 0.0))
 
 /* --- directional derivatives ------------------------------------------------------------------------ */
 
@@ -90,19 +104,19 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
         return fmi2_refuse(self, "fmi2GetDirectionalDerivative", "a list is a NULL pointer");
     for (size_t i = 0; i < unknown_count; i += 1)
     {
-        if (wheelset_check_unknown(self->wheelset, unknowns[i]))
+        if (check_reference(self, unknowns[i]) || wheelset_check_unknown(self->wheelset, place_of(unknowns[i])))
             return fmi2_answer(self, 1);
-        equilibrium = equilibrium || wheelset_is_equilibrium(unknowns[i]);
+        equilibrium = equilibrium || wheelset_is_equilibrium(place_of(unknowns[i]));
     }
     for (size_t i = 0; i < known_count; i += 1)
     {
-        if (wheelset_check_known(self->wheelset, knowns[i]))
+        if (check_reference(self, knowns[i]) || wheelset_check_known(self->wheelset, place_of(knowns[i])))
             return fmi2_answer(self, 1);
-        along[knowns[i]] += seed[i];
+        along[place_of(knowns[i])] += seed[i];
     }
     if (wheelset_differentiate(self->wheelset, along, equilibrium, rates))
         return fmi2_answer(self, 1);
     for (size_t i = 0; i < unknown_count; i += 1)
-        sensitivity[i] = rates[wheelset_rate_of(unknowns[i])];
+        sensitivity[i] = rates[wheelset_rate_of(place_of(unknowns[i]))];
     return fmi2OK;
 }

@@ -1,4 +1,5 @@
 /* FMI 3.0 co-simulation: an instance, its life and its saved states; values and derivatives are in fmi3_values.c. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,8 +57,12 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     if (!name || !*name)
         return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: the instance name is empty; permitted are names");
     if (!token || strcmp(token, MODEL_TOKEN) != 0)
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: the instantiation token is not the one of this "
-                               "library, " MODEL_TOKEN);
+    {
+        char sentence[200];
+        snprintf(sentence, sizeof sentence, "fmi3InstantiateCoSimulation: the instantiation token is not the one of this library, "
+                 "%s", MODEL_TOKEN);
+        return refuse_instance(environment, log, sentence);
+    }
     if (events)
         return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no event mode");
     if (intermediate_count > 0)

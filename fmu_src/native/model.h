@@ -16,7 +16,7 @@ typedef struct {
     int number;
 } model_choice;
 
-/* A variable; its place in model_variables is its value reference in FMI 2. */
+/* A variable; `values` of wheelset.h has those of inputs, parameters and outputs at their places in model_variables. */
 typedef struct {
     const char *name;
     model_type type;
@@ -30,6 +30,18 @@ typedef struct {
     const model_choice *choices;
     int choice_count;
 } model_variable;
+
+/* What is said of a status if a test of an input holds; wrcontact/status.py has the table. */
+typedef enum { TEST_ALWAYS, TEST_INFINITE, TEST_BEYOND, TEST_OUTSIDE, TEST_NEGATIVE, TEST_ZERO } model_test;
+
+typedef struct {
+    int status;
+    int compliant;                  /* 1 or 0 in this contact mode only, -1 in all */
+    model_test test;
+    int input;
+    double limit;
+    const char *text;               /* with {k} for the value of input k and its unit */
+} model_sentence;
 
 /* A profile that can be chosen. */
 typedef struct {
@@ -53,19 +65,23 @@ typedef struct {
     const model_resolution *steps;
 } model_ladder;
 
-/* Where the values of an FMI 3 variable lie among those of FMI 2. */
-enum { BLOCK_TIME = -1, BLOCK_STATIONS = -2 };
+/* Where the values of a value reference lie in the table; RETIRED where it has no variable (any more). */
+enum { BLOCK_TIME = -1, BLOCK_STATIONS = -2, BLOCK_RETIRED = -3 };
 
 typedef struct {
-    int first;                      /* one of BLOCK_..., or a value reference */
-    int run;                        /* of an array: which of the six, both outlines one after the other; or -1 */
+    int first;                      /* one of BLOCK_..., or a place in model_variables */
+    int run;                        /* of an array: which of the ten, both outlines one after the other; or -1 */
 } model_block;
 
+extern const char model_token[48];                  /* the GUID, or instantiation token */
+#define MODEL_TOKEN model_token
+extern const model_sentence model_sentences[MODEL_SENTENCES];
 extern const double model_setup[MODEL_SETUP];       /* the kernel's setup with all defaults */
 extern const model_variable model_variables[MODEL_VARIABLES];
-extern const model_profile model_profiles[MODEL_PROFILES];
+extern const model_profile model_profiles[];
+extern const int model_profile_count;
 extern const model_ladder model_ladders[MODEL_LADDERS];
-extern const model_block model_blocks[MODEL_BLOCKS + 1];
+extern const model_block model_blocks[MODEL_BLOCKS + 1];     /* by value reference */
 extern double const model_fixed[MODEL_FIXED_SIZE];        /* the tables that do not depend on the profiles */
 
 #endif

@@ -5,15 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "wheelset.h"
+#include "model.h"
 
-/* These headers are here for their constants; the functions that they declare are not called. */
-#if defined(__GNUC__) || defined(__clang__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#include "kernel/generated/layout.h"
-
-static const char KEPT[] = "the outputs keep their last valid values";
+static const char KEPT[] = "; the outputs keep their last valid values";
 
 /* The number in `text`, as printf has written it, with a point where the host's locale has something else. */
 static const char *pointed(char *text)
@@ -81,102 +75,55 @@ const char *sentence_doubled(const char *text, const char *marks, char *result, 
     return result;
 }
 
-/* The first input that is not permitted, in a clause. */
-static void invalid_input(const double *inputs, char *text, size_t size)
+/* A number in six digits, or in as many as it needs to differ from `limit`, as status.distinct in Python. */
+static const char *distinct(double value, double limit, char *text, size_t size)
 {
-    char number[40];
-    for (int i = 0; i < MODEL_INPUTS; i += 1)
-        if (!isfinite(inputs[i]))
-        {
-            snprintf(text, size, "%s is %s%s; permitted are finite numbers", model_variables[i].name,
-                     sentence_shortest(inputs[i], number, sizeof number), model_variables[i].unit);
-            return;
-        }
-    for (int i = 0; i < MODEL_INPUTS; i += 1)
-        if (model_variables[i].high > 0.0 && fabs(inputs[i]) > model_variables[i].high)
-        {
-            const char *name = model_variables[i].name, *unit = model_variables[i].unit;
-            snprintf(text, size, "%s is %s%s; permitted is |%s| <= %s%s", name, SIX_DIGITS(inputs[i]), unit, name,
-                     SIX_DIGITS(model_variables[i].high), unit);
-            return;
-        }
-    for (int i = layout__IN_LEFT_FRICTION; i <= layout__IN_RIGHT_FRICTION; i += 1)
-        if (!(inputs[i] >= 0.0 && inputs[i] <= layout__FRICTION_LIMIT))
-        {
-            const char *name = model_variables[i].name;
-            snprintf(text, size, "%s is %s; permitted is 0 <= %s <= %s", name, SIX_DIGITS(inputs[i]), name,
-                     SIX_DIGITS(layout__FRICTION_LIMIT));
-            return;
-        }
-    if (inputs[layout__IN_NORMAL_FORCE] < 0.0)
-        snprintf(text, size, "normal_force is %s N; permitted is normal_force >= 0 N",
-                 SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]));
-    else
-        snprintf(text, size, "load_transfer is %s; permitted is -1 <= load_transfer <= 1",
-                 SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]));
+    for (int digits = 6; digits < 18 && isfinite(value); digits += 1)
+    {
+        snprintf(text, size, "%.*g", digits, value);
+        if (fabs(strtod(text, NULL)) != fabs(limit) || value == limit)
+            return pointed(text);
+    }
+    return sentence_shortest(value, text, size);
 }
 
-/* How far an input may move a rail. */
-static double rail_limit(int input)
+/* Whether the test of a sentence holds for its input. */
+static bool holds(const model_sentence *said, double value)
 {
-    return input == layout__IN_LEFT_RAIL_ROLL || input == layout__IN_RIGHT_RAIL_ROLL ? MODEL_RAIL_ROLL_LIMIT : MODEL_RAIL_LIMIT;
+    switch (said->test)
+    {
+    case TEST_INFINITE: return !isfinite(value);
+    case TEST_BEYOND: return fabs(value) > said->limit;
+    case TEST_OUTSIDE: return !(0.0 <= value && value <= said->limit);
+    case TEST_NEGATIVE: return value < 0.0;
+    case TEST_ZERO: return value == 0.0;
+    default: return true;
+    }
 }
 
-/* The first input that moves a rail too far, or -1. */
-static int far_rail(const double *inputs)
-{
-    for (int i = layout__IN_LEFT_RAIL_LATERAL; i <= layout__IN_RIGHT_RAIL_ROLL; i += 1)
-        if (fabs(inputs[i]) > rail_limit(i))
-            return i;
-    return -1;
-}
-
-/* One sentence on a status that is not 0, as wrcontact/status.py words it. */
+/* One sentence on a status that is not 0: the first in the table whose test holds. */
 void sentence_of_status(int status, const double *inputs, bool compliant, char *text, size_t size)
 {
-    const char *shift = SIX_DIGITS(inputs[layout__IN_LATERAL_SHIFT]), *yaw = SIX_DIGITS(inputs[layout__IN_YAW]);
-    const char *force = SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]);
-    const char *transfer = SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]);
-    const char *height = SIX_DIGITS(inputs[layout__IN_VERTICAL_SHIFT]), *roll = SIX_DIGITS(inputs[layout__IN_ROLL]);
-    const bool far = fabs(inputs[layout__IN_LATERAL_SHIFT]) > MODEL_LATERAL_LIMIT;
-    const int rail = far_rail(inputs);
-    char clause[200];
-    if (status == layout__INVALID_INPUT)
+    const model_sentence *said = model_sentences;
+    while (said < model_sentences + MODEL_SENTENCES - 1
+           && (said->status != status || said->compliant == !compliant || !holds(said, inputs[said->input])))
+        said += 1;
+    size_t at = 0;
+    for (const char *part = said->text; *part && at + 1 < size; part += 1)
     {
-        invalid_input(inputs, clause, sizeof clause);
-        snprintf(text, size, "%s; %s", clause, KEPT);
+        if (*part != '{')
+        {
+            text[at++] = *part;
+            continue;
+        }
+        char number[40], *end;
+        const long input = strtol(part + 1, &end, 10);
+        distinct(inputs[input], input == said->input ? said->limit : NAN, number, sizeof number);
+        const int length = snprintf(text + at, size - at, "%s%s", number, model_variables[input].unit);
+        at = at + (size_t)length < size ? at + (size_t)length : size - 1;
+        part = end;
     }
-    else if (status == layout__UNLOADED && compliant)
-        snprintf(text, size, "vertical_shift_input is %s m at roll_input %s rad, so a wheel is lifted and carries no load; its "
-                 "patch is empty (a larger vertical_shift_input lowers the wheelset)", height, roll);
-    else if (status == layout__UNLOADED && inputs[layout__IN_NORMAL_FORCE] == 0.0)
-        snprintf(text, size, "normal_force is %s N, so a wheel carries no load; its patch is empty (a load needs normal_force > "
-                 "0 N and |load_transfer| < 1)", force);
-    else if (status == layout__UNLOADED)
-        snprintf(text, size, "load_transfer is %s, so a wheel carries no load; its patch is empty (a load needs normal_force > "
-                 "0 N and |load_transfer| < 1)", transfer);
-    else if (status != layout__OFF_PROFILE)
-        snprintf(text, size, "no solution at lateral_shift %s m, yaw %s rad, normal_force %s N, load_transfer %s within the "
-                 "iteration limit; %s", shift, yaw, force, transfer, KEPT);
-    else if (!far && fabs(inputs[layout__IN_YAW]) > MODEL_YAW_LIMIT)
-        snprintf(text, size, "yaw is %s rad, beyond the profiles; permitted is |yaw| <= %s rad; %s", yaw,
-                 SIX_DIGITS(MODEL_YAW_LIMIT), KEPT);
-    else if (far)
-        snprintf(text, size, "lateral_shift is %s m, beyond the profiles; permitted is |lateral_shift| <= %s m; %s", shift,
-                 SIX_DIGITS(MODEL_LATERAL_LIMIT), KEPT);
-    else if (rail >= 0)
-        snprintf(text, size, "%s is %s%s; permitted is |%s| <= %s%s; %s", model_variables[rail].name, SIX_DIGITS(inputs[rail]),
-                 model_variables[rail].unit, model_variables[rail].name, SIX_DIGITS(rail_limit(rail)), model_variables[rail].unit,
-                 KEPT);
-    else if (compliant && fabs(inputs[layout__IN_ROLL]) > MODEL_ROLL_LIMIT)
-        snprintf(text, size, "roll_input is %s rad; permitted is |roll_input| <= %s rad; %s", roll,
-                 SIX_DIGITS(MODEL_ROLL_LIMIT), KEPT);
-    else if (compliant)
-        snprintf(text, size, "vertical_shift_input is %s m and roll_input %s rad at lateral_shift %s m: the contact leaves a "
-                 "profile, or a wheel is deeper in its rail than %s m; %s", height, roll, shift, SIX_DIGITS(MODEL_DEEPEST), KEPT);
-    else
-        snprintf(text, size, "lateral_shift is %s m at yaw %s rad: the smallest gap lies at the end of a profile, so there is no "
-                 "contact; or, in elastic contact, normal_force %s N with load_transfer %s presses a wheel deeper into its rail than "
-                 "%s m; permitted are poses with the contact inside both profiles; %s", shift, yaw, force, transfer,
-                 SIX_DIGITS(MODEL_DEEPEST), KEPT);
+    text[at] = 0;
+    if (status >= MODEL_KEPT)
+        snprintf(text + at, size - at, "%s", KEPT);
 }

@@ -1,7 +1,7 @@
+/* The life cycle of a wheelset: values, initialisation, steps. */
 #include "wheelset.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,31 +13,9 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/layout.h"
+#include "kernel/generated/kernel.h"
 
 static const double ROUNDING = 1e-9;     /* of a time that a host has added up over many steps, relative */
-
-int wheelset_refuse(wheelset *self, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(self->sentence, sizeof self->sentence, format, arguments);
-    va_end(arguments);
-    return 1;
-}
-
-bool wheelset_is_compliant(const wheelset *self)
-{
-    return strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
-}
-
-static void tell_status(wheelset *self)
-{
-    char sentence[MODEL_SENTENCE];
-    sentence_of_status((int)self->core.status, self->core.values, wheelset_is_compliant(self), sentence, sizeof sentence);
-    self->tell(self->owner, sentence);
-    self->core.told = 1;
-}
 
 /* --- life ------------------------------------------------------------------------------------------- */
 
@@ -169,70 +147,6 @@ int wheelset_terminate(wheelset *self)
 
 /* --- values ----------------------------------------------------------------------------------------- */
 
-int wheelset_check(wheelset *self, uint32_t reference, model_type type)
-{
-    static const char *const NAMES[] = {"Real", "Integer", "Boolean", "String", "UInt64"};
-    if (reference >= MODEL_VARIABLES)
-        return wheelset_refuse(self, "value reference %lu does not exist; they run from 0 to %d", (unsigned long)reference,
-                               MODEL_VARIABLES - 1);
-    const model_variable *variable = model_variables + reference;
-    if (variable->type != type)
-        return wheelset_refuse(self, "%s is of type %s, not %s", variable->name, NAMES[variable->type], NAMES[type]);
-    return 0;
-}
-
-int wheelset_may_get(wheelset *self, uint32_t reference, model_type type)
-{
-    if (wheelset_check(self, reference, type))
-        return 1;
-    if (model_variables[reference].causality == MODEL_OUTPUT && self->core.phase == PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "%s is an output and cannot be read before the initialisation",
-                               model_variables[reference].name);
-    return 0;
-}
-
-/* Whether a variable can be set at all. */
-static int check_settable(wheelset *self, const model_variable *variable)
-{
-    if (self->core.phase == PHASE_TERMINATED)
-        return wheelset_refuse(self, "%s cannot be set: the simulation has been terminated", variable->name);
-    if (variable->causality == MODEL_OUTPUT)
-        return wheelset_refuse(self, "%s is an output and cannot be set", variable->name);
-    return 0;
-}
-
-int wheelset_may_set_real(wheelset *self, uint32_t reference, double value)
-{
-    char present[40], wanted[40];
-    if (wheelset_check(self, reference, MODEL_REAL) || check_settable(self, model_variables + reference))
-        return 1;
-    if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked
-        && self->core.values[reference] != value)
-        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
-                               model_variables[reference].name,
-                               sentence_shortest(self->core.values[reference], present, sizeof present),
-                               sentence_shortest(value, wanted, sizeof wanted));
-    return 0;
-}
-
-int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value)
-{
-    char present[2 * MODEL_TEXT], wanted[2 * MODEL_TEXT];
-    if (wheelset_check(self, reference, MODEL_STRING) || check_settable(self, model_variables + reference))
-        return 1;
-    const model_variable *variable = model_variables + reference;
-    if (!value)
-        return wheelset_refuse(self, "%s is a NULL pointer; permitted are texts", variable->name);
-    if (strlen(value) >= MODEL_TEXT)
-        return wheelset_refuse(self, "%s has %lu bytes; permitted are at most %d", variable->name, (unsigned long)strlen(value),
-                               MODEL_TEXT - 1);
-    const char *held = self->core.text[variable->slot];
-    if (self->core.locked && strcmp(held, value) != 0)
-        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s", variable->name,
-                               sentence_quoted(held, present, sizeof present), sentence_quoted(value, wanted, sizeof wanted));
-    return 0;
-}
-
 void wheelset_set_real(wheelset *self, uint32_t reference, double value)
 {
     if (self->core.values[reference] == value)
@@ -249,16 +163,6 @@ void wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
     memset(held, 0, MODEL_TEXT);
     memcpy(held, value, strlen(value));
     self->core.stale = 1;
-}
-
-int wheelset_may_set_integer(wheelset *self, uint32_t reference)
-{
-    return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
-}
-
-int wheelset_may_set_boolean(wheelset *self, uint32_t reference)
-{
-    return wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference);
 }
 
 int wheelset_set_stations(wheelset *self, uint64_t stations)
@@ -281,37 +185,13 @@ int32_t wheelset_integer(const wheelset *self, uint32_t reference)
     return (int32_t)(reference == MODEL_STATUS ? self->core.status : self->core.values[reference]);
 }
 
-/* The kernel's arrays. */
-wrcontact_handle wheelset_handle(wheelset *self)
-{
-    wheelset_core *core = &self->core;
-    const wrcontact_handle handle = {
-        self->left_tables, self->right_tables, span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
-        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, ROW)};
-    return handle;
-}
-
-/* One step of the kernel, and its outcome. */
-static void evaluate(wheelset *self)
-{
-    wheelset_core *core = &self->core;
-    const wrcontact_handle handle = wheelset_handle(self);
-    const int status = wrcontact_step(&handle);
-    core->status = status;
-    core->stale = core->balanced = 0;
-    if (!wheelset_is_compliant(self))
-        wheelset_find_equilibrium(self);        /* which costs nothing */
-    if (status)
-        tell_status(self);
-}
-
 int wheelset_refresh(wheelset *self)
 {
     if (!self->core.stale || !(self->core.built || self->core.phase == PHASE_INITIALISING))
         return 0;
     if (!self->core.locked && initialise(self))
         return 1;
-    evaluate(self);
+    wheelset_evaluate(self);
     return 0;
 }
 
@@ -330,7 +210,7 @@ int wheelset_step(wheelset *self, double time, double size)
                                sentence_shortest(self->core.stop, third, sizeof third));
     wheelset_refresh(self);
     if (self->core.status != 0.0 && !self->core.told)
-        tell_status(self);
+        wheelset_tell_status(self);
     self->core.told = 0;
     self->core.time = time + size;
     return 0;

@@ -25,8 +25,8 @@ enum { RATES = ROW + MODEL_FIRST_OUTPUT - MODEL_EQUILIBRIUM };
 
 /* What a simulation goes on from: all that a saved state holds. */
 typedef struct {
-    double values[MODEL_FIRST_OUTPUT + ROW];        /* by value reference, and the rest of the row */
-    double status;                          /* whose value reference is MODEL_STATUS */
+    double values[MODEL_FIRST_OUTPUT + ROW];        /* by place in model_variables, and the rest of the row */
+    double status;                          /* whose place is MODEL_STATUS */
     uint64_t stations;                      /* of an outline */
     double memory[MODEL_MEMORY];            /* the kernel's state */
     double known[MODEL_KNOWN];              /* the inputs evaluated last, and whether the outputs are theirs */

@@ -4,7 +4,7 @@
 
 #include "wheelset_parts.h"
 
-static const char FORMAT[16] = "wrcontact 2", TOKEN[48] = MODEL_TOKEN;
+static const char FORMAT[16] = "wrcontact 2";
 
 /* Fowler, Noll and Vo's hash, 64 bits. */
 static uint64_t checksum(const void *bytes, size_t size)
@@ -20,7 +20,7 @@ static void save(const wheelset *self, wheelset_saved *saved)
 {
     memset(saved, 0, sizeof *saved);
     memcpy(saved->format, FORMAT, sizeof FORMAT);
-    memcpy(saved->token, TOKEN, sizeof TOKEN);
+    memcpy(saved->token, model_token, sizeof model_token);
     saved->size = sizeof *saved;
     saved->core = self->core;
     memcpy(saved->core.known, self->workspace, sizeof saved->core.known);
@@ -37,7 +37,7 @@ static int check_saved(wheelset *self, const wheelset_saved *saved, size_t size)
                                (unsigned long)size, (unsigned long)sizeof *saved);
     if (saved->size != sizeof *saved || saved->checksum != checksum(&saved->core, sizeof saved->core))
         return wheelset_refuse(self, "the saved state is damaged (its checksum differs); the present state is kept");
-    if (memcmp(saved->token, TOKEN, sizeof TOKEN) != 0)
+    if (memcmp(saved->token, model_token, sizeof model_token) != 0)
         return wheelset_refuse(self, "the saved state comes from another FMU; the present state is kept");
     return 0;
 }

@@ -11,8 +11,7 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/layout.h"
-#include "kernel/generated/prepare_tables.h"
+#include "kernel/generated/kernel.h"
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 
@@ -133,9 +132,9 @@ static int find_profile(wheelset *self, const char *argument, const char *kind, 
     size_t length = 0;
     const char *other = "";
     bool exact = false;
-    for (int i = 0; i < MODEL_PROFILES; i += 1)
+    for (int i = 0; i < model_profile_count; i += 1)
         exact = exact || strcmp(self->core.text[slot], model_profiles[i].name) == 0;
-    for (int i = 0; i < MODEL_PROFILES; i += 1)
+    for (int i = 0; i < model_profile_count; i += 1)
     {
         const model_profile *profile = model_profiles + i;
         const bool named = exact ? strcmp(self->core.text[slot], profile->name) == 0

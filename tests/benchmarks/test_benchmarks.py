@@ -11,21 +11,22 @@ import pytest
 import wrcontact
 from benchmarks import (
     __main__,
-    counts,
+    creep,
     errors,
-    growth,
+    fmus,
     machine,
     pages,
     parts,
-    peers,
-    picture,
+    pictures,
     random_poses,
     rows,
-    skips,
     store,
     tables,
+    times,
+    work,
 )
-from benchmarks.table import figure, grid
+from benchmarks.tables import PEERS, figure, grid
+from tests.helpers.fmus import needs_glibc
 from wrcontact.methods import Analyn, Strip
 from wrcontact.plots import style
 
@@ -63,22 +64,27 @@ def test_kept_rows_are_those_that_are_measured():
     assert {*store.load("model_errors")["rows"], *store.load("halfspace")["rows"]} == set(names)
 
 
-def test_tables_of_the_pages():
-    """The README's is shorter; quoted rows stand at the end of both."""
-    kept = {name: store.load(name) for name in tables.MODEL_PARTS}
-    full, short = (text(kept).splitlines() for text in (tables.models, tables.short_models))
-    assert full[:2] == short[:2] and len(full) == 2 + len(kept["model_times"]["rows"]) + len(peers.PEERS)
-    assert set(short) < set(full) and len(short) == 2 + 10 + len(peers.PEERS)
-    for table in (full, short):
-        assert {line.count("|") for line in table} == {len(tables.MODELS) + 1}
-        assert all("quoted" in line for line in table[-3:])
-        assert not any("quoted" in line for line in table[:-3])
+def test_the_table_of_models_has_every_row():
+    """Quoted rows stand at its end."""
+    kept = {name: store.load(name) for name in pages.MODEL_PARTS}
+    table = tables.models(kept).splitlines()
+    assert len(table) == 2 + len(kept["model_times"]["rows"]) + len(PEERS)
+    assert {line.count("|") for line in table} == {len(tables.MODELS) + 1}
+    assert all("quoted" in line for line in table[-3:])
+    assert not any("quoted" in line for line in table[:-3])
 
 
-def test_the_readme_has_a_row_of_each_kind():
-    short = [row for row in rows.all_rows(rows.FULL) if row.short]
-    assert {row.kind for row in short} == {"geometry", "Hertz", "analyn", "analyn_strip", "halfspace",
-                                           "order", "door"}
+def test_the_readme_has_seven_rows_of_the_long_tables():
+    """Time, and mean and worst error on the positions, are those of benchmarks.md."""
+    table = pages.TABLES["short"]
+    kept = {name: store.load(name) for name in table.parts}
+    rows, long = table.text(kept).splitlines()[2:], tables.models(kept)
+    assert len(rows) == 7 and "quoted" in rows[-1]
+    for row in (*rows[:4], rows[5]):
+        _, _, time, units, mean, worst, _ = map(str.strip, row.split("|"))
+        assert f"| {units} | {time.split(' (')[0]} | {mean} | {worst} |" in long
+    mean, _, worst = store.load("tangential_errors")["rows"]["strips"][creep.NEW_PATCHES]["force"]
+    assert f"creep force: {mean:.2f} | {worst:.1f} |" in rows[4]
 
 
 def test_costs_are_measured(measured):
@@ -130,7 +136,7 @@ def test_a_commit_is_named_with_changes(monkeypatch):
     answers = {"rev-parse": "abc1234\n", "status": " M wrcontact/state.py\n"}
     monkeypatch.setattr(store, "git", lambda word, *others: answers[word])
     assert store.commit() == "abc1234 and changes"
-    assert tables.code("abc1234 and changes") == "`abc1234` and changes"
+    assert pages.code("abc1234 and changes") == "`abc1234` and changes"
     answers["status"] = ""
     assert store.commit() == "abc1234"
 
@@ -145,7 +151,7 @@ def test_no_git_is_no_error(monkeypatch):
 
 def test_only_what_stands_between_the_marks_is_written(monkeypatch):
     monkeypatch.setattr(pages, "written", lambda table, parts: "NEW")
-    name = next(iter(tables.TABLES))
+    name = next(iter(pages.TABLES))
     text = f"before\n{pages.BEGIN.format(name)}\nold\nold\n{pages.END.format(name)}\nafter\n"
     assert pages.filled(text, {}) == text.replace("old\nold", "NEW")
     with pytest.raises(KeyError):
@@ -181,9 +187,10 @@ def test_each_model_is_nearer_to_the_complete_theory(measured):
     assert best[-1] < 0.12                                                                # [%] measured 0.094
 
 
+@pytest.mark.machine
 def test_the_half_space_is_what_is_kept_of_it():
-    """The quickest of its rows, measured anew: seven seconds, and the same on every machine but for
-    rounding."""
+    """The quickest of its rows, measured anew; the same to all kept digits on processors whose numpy rounds
+    otherwise."""
     found = errors.positions(rows.system(normal_model="halfspace", tolerance=0.1))
     kept = store.load("halfspace")["rows"]["halfspace, tolerance 0.1"]
     np.testing.assert_allclose(100 * found.mean, kept["positions mean"], rtol=1e-3)
@@ -191,6 +198,7 @@ def test_the_half_space_is_what_is_kept_of_it():
     assert 100 * found.mean.mean() < 0.29                                                 # [%] measured 0.226
 
 
+@pytest.mark.machine
 def test_errors_are_those_of_the_stored_poses():
     system = rows.system()
     found = errors.positions(system)
@@ -212,26 +220,35 @@ def test_a_pose_that_is_not_solved_is_an_error():
 
 
 def test_counts():
-    table = counts.table(100)
+    table = work.count_table(100)
     assert len(table) == 14
     for name, count in table.items():
-        assert list(count) == [counts.FULL_RASTER, *counts.COUNTS]
+        assert list(count) == [work.FULL_RASTER, *work.COUNTS]
         # the bounds of the search
-        assert count["gap evaluations"] < count[counts.FULL_RASTER] / 3
+        assert count["gap evaluations"] < count[work.FULL_RASTER] / 3
         assert 2 <= count["scans"] < 4 and count["force solves"] < 12
         assert (count["strip systems"] > 0) == name.startswith("analyn_strip")
 
 
 def test_every_skip_runs():
-    found = [skip.measure(1) for skip in skips.all_skips(LITTLE)]
+    found = [skip.measure(1) for skip in times.all_skips(LITTLE)]
     assert len(found) == 10
     assert all(skip.less.seconds > 0 and skip.more.seconds > 0 and skip.answer for skip in found)
 
 
 def test_growth():
-    assert [number for number, _ in growth.wheelsets((1, 10), 1)] == [1, 10]
-    (one, _, same), (two, seconds, gain) = growth.threads(50, 1)
+    assert [number for number, _ in times.wheelsets((1, 10), 1)] == [1, 10]
+    (one, _, same), (two, seconds, gain) = times.threads(50, 1)
     assert (one, two, same) == (1, 2, 1.0) and seconds > 0 and gain > 0
+
+
+@pytest.mark.full
+@needs_glibc
+def test_the_cost_of_native_fmus_is_measured(capsys):
+    fmus.report_native()
+    rows = re.findall(r"\| FMI (\d)\.0 \| ([\d.]+) \| ([\d.]+) \|", capsys.readouterr().out)
+    assert [version for version, *_ in rows] == ["2", "3"]
+    assert all(0.5 < float(units) < 200 for _, units, _ in rows)
 
 
 # --- random poses -------------------------------------------------------------------------------------------
@@ -246,7 +263,7 @@ def test_a_random_pose_is_the_same_again():
                                                                 for slope in random_poses.INCLINATIONS}
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_an_ended_run_goes_on(tmp_path, monkeypatch):
     store = tmp_path / "poses.csv"
     whole = random_poses.references(2, store, processes=1)
@@ -271,7 +288,7 @@ def test_what_does_not_converge_is_left_out(tmp_path):
     assert "1 poses are left out" in tables.random_table({"random_poses": {"rows": found}})
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_stored_answers_are_the_half_spaces():
     """Some of the thousand that the table of random poses is compared with.
 
@@ -298,7 +315,7 @@ def test_answers_are_those_of_the_named_track():
 
 
 def test_tolerances_are_kept():
-    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal_model.py says; here of few
+    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal.py says; here of few
     poses, with a margin."""
     for name, row in random_poses.numerics(200).items():
         assert max(row["95 of 100"]) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, name
@@ -308,7 +325,7 @@ def test_tolerances_are_kept():
 
 
 def test_the_picture_shows_every_point(tmp_path):
-    drawn = picture.figure(picture.stored_points())
+    drawn = pictures.figure(pictures.stored_points())
     axes = drawn.axes[0]
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     points = np.concatenate([line.get_xydata() for line in axes.lines])

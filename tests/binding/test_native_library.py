@@ -1,5 +1,5 @@
-"""The compiled kernel and its Python source are one program: the same bits, and a library
-that does not fit is not used."""
+"""The compiled kernel beside its Python source: a library that does not fit is not used, and arrays keep
+their bounds."""
 
 import gc
 import shutil
@@ -11,19 +11,14 @@ import numpy as np
 import pytest
 
 import wrcontact
-from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
-from tests.helpers.cases import input_row
+from tests.helpers.kernel_poses import FORMS, id_of, poses
 from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
 from tools.transpile_kernel import Module, Refused
-from wrcontact.interface.rails import RAILS
 from wrcontact.kernel.binding import library
+from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library, find_compiler
 from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME
 from wrcontact.kernel.layout import (
-    IN_LATERAL_SHIFT,
-    IN_ROLL,
-    IN_VERTICAL_SHIFT,
-    IN_YAW,
     INPUT_COUNT,
     OUTPUT_COUNT,
     SETTING_COUNT,
@@ -32,86 +27,13 @@ from wrcontact.kernel.layout import (
     WORK_SIZE,
 )
 
-RAIL_PLACES = range(7, 7 + len(RAILS))
-
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
-
-
-def poses(count, seed=20):
-    """Inputs (count, n) over tread and flange: cold jumps, a slow run, and some that no wheelset can have;
-    heights and rolls around those of rigid contact, from lifted wheels to 0.2 mm deep ones. Rails are moved
-    at one of ten, and every other wheelset runs."""
-    rng = np.random.default_rng(seed)
-    rows = np.zeros((count, INPUT_COUNT))
-    rows[:, :7] = np.column_stack([
-        rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
-        rng.uniform(-0.02, 0.02, count),            # yaw [rad]
-        rng.uniform(-1e-3, 1e-3, count),            # roll guess [rad]
-        rng.uniform(2e4, 1.5e5, count),             # normal force [N]
-        rng.uniform(-0.5, 0.5, count),              # load transfer
-        rng.uniform(-5e-5, 2e-4, count),            # height below rigid contact [m]
-        rng.uniform(-1e-4, 1e-4, count)])           # roll beyond it [rad]
-    rows[::4, 1] = 0.0
-    run = count // 2
-    rows[run:, 0] = np.linspace(-7e-3, 7e-3, count - run)
-    rigid = wrcontact.ContactSystem().evaluate_many(rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW],
-                                                    outputs="geometry")
-    rows[:, IN_VERTICAL_SHIFT] += rigid.vertical_shift
-    rows[:, IN_ROLL] += rigid.roll
-    rows[run::7, :7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
-    rows[run + 1::7, :7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
-    rows[run + 2::7, 3] = 0.0
-    for place in RAIL_PLACES:
-        rows[3::10, place] = rng.uniform(-2e-4, 2e-4, len(rows[3::10]))
-    motion = slice(7 + len(RAILS), None)
-    rows[:, motion] = input_row()[motion]
-    rows[::2, motion] += rng.normal(size=rows[::2, motion].shape)
-    return rows
 
 
 def copy_package(folder, name, *, with_library):
     """A copy of the package under another name, as inside an FMU."""
     ignored = ["__pycache__"] + ([] if with_library else [LIBRARY_NAME])
     return Path(shutil.copytree(PACKAGE, folder / name, ignore=shutil.ignore_patterns(*ignored)))
-
-
-#: Every contact mode with every normal model, and the vertical load.
-MODES = [{"contact_mode": "elastic", "normal_model": "analyn"},
-         {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
-         {"contact_mode": "elastic", "normal_model": "hertz"},
-         {"contact_mode": "compliant", "normal_model": "analyn"},
-         {"contact_mode": "compliant", "normal_model": "analyn_strip"},
-         {"contact_mode": "compliant", "normal_model": "hertz"},
-         {"load": "vertical"},
-         {"load": "vertical", "normal_model": "hertz"},
-         {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant",
-          "lateral_curvature": "smooth"}]
-QUICK = ("elastic-analyn", "compliant-analyn_strip", "vertical-hertz")
-SHARE = [pytest.param(mode, marks=[pytest.mark.slow] * ("-".join(mode.values()) not in QUICK))
-         for mode in MODES]
-
-
-@needs_library
-@pytest.mark.parametrize("parameters", [
-    {},
-    {"normal_model": "hertz", "longitudinal_curvature": "basic"},
-    {"normal_model": "analyn_strip"},
-    {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
-    {"separation": "vertical", "lateral_curvature": "rough"},
-    {"separation": "equidistant", "normal_model": "analyn_strip"},
-    {"separation": "equidistant_chord", "lateral_curvature": "smooth"},
-    {"lateral_curvature": "rough", "normal_model": "hertz", "curvature_step": 1e-3},
-    *SHARE,
-], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
-def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
-    rows = poses(80 if parameters.get("contact_mode") != "elastic" else 30)      # a dozen times the work
-    compiled = run_steps(rows, tmp_path, choice="compiled", **parameters)
-    source = run_steps(rows, tmp_path, choice="python", **parameters)
-    assert len(set(compiled[:, 0])) > 1, "the poses should meet more than one status"
-    if sys.platform == "win32":                     # the compiler's sin and atan are not CPython's there
-        np.testing.assert_allclose(compiled, source, rtol=1e-9)
-    else:
-        np.testing.assert_array_equal(bits(compiled), bits(source))
 
 
 @pytest.fixture(scope="module")
@@ -124,6 +46,7 @@ def checked_package(tmp_path_factory):
 
 @needs_library
 @needs_compiler
+@pytest.mark.full
 @pytest.mark.parametrize("parameters", [
     {},
     {"nodes": 4},
@@ -134,12 +57,10 @@ def checked_package(tmp_path_factory):
     {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
-    *SHARE,
-    pytest.param({"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64,
-                  "sweeps": 4},
-                 marks=pytest.mark.slow),
+    *FORMS,
+    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
-], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
+], ids=id_of)
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
     """The library with checked indices takes the same steps: 1200 over tread and
     flange, from 1 mN to 1 MN."""
@@ -152,7 +73,7 @@ def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
 
 @needs_library
 @needs_compiler
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("strips", [16, 64])
 @pytest.mark.parametrize("pair",
                          [{}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425}],

@@ -207,7 +207,9 @@ def test_sweep_beyond_the_profiles_leaves_cells_empty_and_says_so(run, tmp_path)
 
 
 @pytest.mark.parametrize("name, opening",
-                         [("pose.png", b"\x89PNG"), ("pose.svg", b"<?xml"), ("pose.pdf", b"%PDF")])
+                         [("pose.png", b"\x89PNG"),
+                          *(pytest.param(*row, marks=pytest.mark.full)
+                            for row in (("pose.svg", b"<?xml"), ("pose.pdf", b"%PDF")))])
 def test_plot_draws_a_picture(run, tmp_path, name, opening):
     code, out, _ = run("plot", "--lateral-shift-mm", 5, "--output", tmp_path / name)
     content = (tmp_path / name).read_bytes()
@@ -329,9 +331,11 @@ def test_entry_point():
 
 
 @pytest.mark.parametrize("name, most", [
-    ("one_pose", 40), ("lateral_sweep", 40), ("compare_models", 40), ("step_the_fmu", 40),
+    ("one_pose", 40), pytest.param("lateral_sweep", 40, marks=pytest.mark.full),
+    pytest.param("compare_models", 40, marks=pytest.mark.full),
+    pytest.param("step_the_fmu", 40, marks=pytest.mark.full),
     # compiles a native FMU; tests/fmu/native/test_irregular_track.py runs it with one that is compiled
-    pytest.param("irregular_track", 130, marks=pytest.mark.slow)])
+    pytest.param("irregular_track", 130, marks=pytest.mark.full)])
 def test_example(tmp_path, name, most):
     """Each example ends with an assertion of its own."""
     script = ROOT / "examples" / f"{name}.py"

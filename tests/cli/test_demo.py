@@ -15,7 +15,7 @@ from tests.helpers.paths import TRAJECTORIES
 from wrcontact import ContactSystem
 from wrcontact.cli import demo as demo_module
 from wrcontact.cli.demo import compare, stored_inputs, stored_run
-from wrcontact.interface.variables import REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, VARIABLES
 from wrcontact.plots.geometry import wheel_zone
 from wrcontact.results.convert import columns_of
 
@@ -58,7 +58,7 @@ def test_demo_table_is_what_the_kernel_returns(demo):
     equilibrium = {"equilibrium.vertical_shift", "equilibrium.roll"}        # of FMUs, not of tables
     assert set(written) == {"time", *expected, *equilibrium} and set(INPUT_NAMES) <= set(written)
     for name, column in expected.items():
-        nominal = VARIABLES[REFERENCE[name]].nominal or 1.0
+        nominal = VARIABLES[PLACE[name]].nominal or 1.0
         np.testing.assert_allclose(written[name], column, rtol=1e-7, atol=1e-7 * nominal, err_msg=name)
 
 

@@ -48,6 +48,7 @@ def test_json(run, tmp_path, table):
     assert_columns({name: [row[name] for row in rows] for name in rows[0]}, table)
 
 
+@pytest.mark.full
 def test_parquet(run, tmp_path, table, monkeypatch):
     parquet = pytest.importorskip("pyarrow.parquet")
     monkeypatch.setattr(tables, "GROUP", 5)     # several groups
@@ -57,6 +58,7 @@ def test_parquet(run, tmp_path, table, monkeypatch):
     assert_columns({name: read[name].to_numpy() for name in read.column_names}, table)
 
 
+@pytest.mark.full
 def test_netcdf(run, tmp_path, table):
     netcdf = pytest.importorskip("netCDF4")
     assert run(*SWEEP, "--output", tmp_path / "a.nc")[0] == 0
@@ -99,6 +101,7 @@ def test_a_shift_is_printed_with_the_digits_of_its_step(run):
 # --- the output stream fails ------------------------------------------------------------------------------
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no /dev/full")
 @pytest.mark.parametrize("words", [("solve",), ("--help",), ("sweep", "--step-mm", "4")], ids=" ".join)
 def test_a_full_disk_is_one_sentence(tmp_path, words):
@@ -170,6 +173,7 @@ def test_build_refuses_an_unknown_profile(run, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.full
 def test_build_fmu_is_the_command(tmp_path):
     done = start(str(ROOT / "build_fmu.py"), "--help", folder=tmp_path)
     assert done.returncode == 0 and "build_fmu.py build" in done.stdout

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import wrcontact
-from benchmarks.profile_noise import even_points, noisy_points
+from data import brute_force
+from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
-from tests.helpers.paths import REFERENCE_DATA
-from tests.reference import brute_force
+from tests.helpers.paths import DATA
 from wrcontact import ContactSystem, Profile
 from wrcontact.cli import main
 from wrcontact.conditioning.conicity import OFF_PROFILE
@@ -30,7 +30,7 @@ def uic60():
 
 
 def test_jumps_are_where_the_brute_force_search_has_them(uic60):
-    """tests/reference/find_jumps.py on UIC60 1:40 [mm]; the printed S1002 has steps."""
+    """data/find_jumps.py on UIC60 1:40 [mm]; the printed S1002 has steps."""
     right = [jump for jump in uic60.jumps if jump.side == "right"]
     for expected in (4.847933, 6.251818):
         assert min(abs(jump.lateral_shift / MM - expected) for jump in right) < 3e-4
@@ -61,7 +61,7 @@ def test_two_places_touch_at_a_jump(uic60):
 def test_moves_add_up_to_the_reference_positions(uic60):
     """Between 1 and 3 mm the contacts do not jump: the integrals of the rates are the
     published differences."""
-    with open(REFERENCE_DATA / "rigid_positions.csv", newline="", encoding="utf-8") as file:
+    with open(DATA / "rigid_positions.csv", newline="", encoding="utf-8") as file:
         rows = {float(row["lateral_shift_mm"]): row for row in csv.DictReader(file)
                 if float(row["yaw_deg"]) == 0.0}
     curves = uic60.curves
@@ -117,7 +117,7 @@ def test_points_are_told(tmp_path):
     assert report.conicity.level[2] == pytest.approx(0.174, abs=0.02)       # noise of 10 um moves it by 5 %
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_noise_that_is_not_smoothed_is_told(tmp_path):
     """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the
     conicity averages them away."""
@@ -249,6 +249,7 @@ def test_command_refuses_in_a_sentence(run, tmp_path):
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err
 
 
+@pytest.mark.full
 def test_command_tells_a_useless_pair(run, tmp_path):
     code, out, _ = run("--gauge-mm", "1600", "--output", tmp_path / "none.svg")
     assert (tmp_path / "none.svg").stat().st_size > 10_000

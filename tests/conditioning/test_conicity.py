@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import wrcontact
+from data import brute_force
 from tests.helpers.cases import MM
-from tests.reference import brute_force
 from wrcontact import ContactSystem, Profile
 from wrcontact.conditioning import equivalent_conicity
 from wrcontact.conditioning.conformal import NEAR

@@ -9,11 +9,11 @@ import pytest
 from scipy.optimize import brentq
 
 import wrcontact
+from data import brute_force
+from data.hertz import hertz
 from tests.helpers.elastic import compliant, elastic
-from tests.helpers.hertz import hertz
+from tests.helpers.inside import work_of
 from tests.helpers.overlap import deepest
-from tests.reference import brute_force
-from wrcontact.kernel import layout
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
@@ -31,7 +31,7 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     stepper, track = compliant().stepper(), brute_force.track()
     stepper.inputs[:7] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
-    overlap = layout.Work.at(stepper._workspace).contact.overlap
+    overlap = work_of(stepper).contact.overlap
     points = overlap.points[:overlap.count]
     pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
     for point in points:      # of the right wheel, which came last

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from data import brute_force
+from data.hertz import MODULUS, hertz
 from tests.helpers.cases import system
 from tests.helpers.elastic import rail_slope_along
-from tests.helpers.hertz import MODULUS, hertz
+from tests.helpers.inside import work_of
 from tests.helpers.overlap import deepest, overlap
-from tests.reference import brute_force
 from wrcontact.kernel import layout
 
 #: yaw [deg], shift [mm], force [N]: flange root and flange carry load at once
@@ -122,7 +123,7 @@ def test_patches_press_on_each_other_over_their_distance(rail, inclination, shif
     stepper.inputs[:7] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0
     assert stepper.step() == 0
     side = layout.Outputs.at(stepper.outputs).left[1]
-    contact = layout.Work.at(stepper._workspace).contact                 # of the right wheel, which came last
+    contact = work_of(stepper).contact                 # of the right wheel, which came last
     regions = contact.regions[:int(side.patch_count)]
     modulus = 210e9 / (2 * (1 - 0.28**2))
     angles = [-math.atan(region.inclination) for region in regions]

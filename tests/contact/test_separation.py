@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import quad
 
 import wrcontact
-from tests.helpers.separations import EVERY_PLACE, PLACES, STATIONS, Contact
+from tests.helpers.separations import EVERY_PLACE, PLACES, SHARE_OF_PLACES, STATIONS, Contact
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import moves, traces
 from wrcontact.kernel.contact.contact_plane import NO_GAP
@@ -21,7 +21,7 @@ from wrcontact.profiles.zones import Arc
 # --- separations ----------------------------------------------------------------------------------
 
 
-@EVERY_PLACE
+@SHARE_OF_PLACES
 @pytest.mark.parametrize("side", [1, -1], ids=["field", "flange"])
 def test_separations_are_what_they_say(shift, yaw, side):
     contact = Contact(shift, yaw)
@@ -216,7 +216,7 @@ def assert_all_valid(rail, shifts, yaws):
         assert np.all(found.right.penetration[~failed] < 1e-3), system
 
 
-@pytest.mark.parametrize("rail", [pytest.param(rail, marks=[pytest.mark.slow] * (k > 0))
+@pytest.mark.parametrize("rail", [pytest.param(rail, marks=[pytest.mark.full] * (k > 0))
                                   for k, rail in enumerate(RAILS)])
 def test_every_choice_holds_everywhere(rail):
     assert_all_valid(rail, 17, 5)
@@ -233,9 +233,8 @@ def test_a_steep_side_leaves_no_hole_in_the_vertical_distance():
     assert np.all((ratio > 1.0) & (ratio < 1.1))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("rail",
-                         [RAILS[0], *(pytest.param(rail, marks=pytest.mark.complete) for rail in RAILS[1:])])
+@pytest.mark.complete
+@pytest.mark.parametrize("rail", RAILS)
 def test_every_choice_holds_everywhere_on_a_fine_grid(rail):
     assert_all_valid(rail, 641, 13)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.creep_cases import Model, all_shapes, full_slip, vector
+from data.creep_cases import Model, all_shapes, full_slip, vector
 from wrcontact.creep.results import own_outline
 
 PATCH = wrcontact.elliptic_patch(half_length=6e-3, half_width=4e-3, normal_force=80e3)

@@ -4,11 +4,11 @@ import math
 import re
 
 import pytest
-from wrcontact.fmu.description3 import variable_blocks
 
 import wrcontact
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
+from wrcontact.fmu.description3 import variable_blocks
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
 
@@ -47,7 +47,7 @@ def test_bytes_of_a_row():
 
 
 def test_value_references_of_fmi_3():
-    names = {name: place for place, (name, *_) in enumerate(variable_blocks(), 1)}
+    names = {block.name: block.reference for block in variable_blocks()}
     page = "docs/fmu.md"
     assert numbers(page, r"fmi3ValueReference stations = (\d+), pressure = (\d+);") == [
         names["stations"], names["left.pressure"]]
@@ -56,7 +56,7 @@ def test_value_references_of_fmi_3():
 
 
 def test_where_the_contact_jumps():
-    """Those of usage.md and of method.md; tests/reference/README.md has more digits, of another search."""
+    """Those of usage.md and of method.md; data/README.md has more digits, of another search."""
     jumps = wrcontact.check(ContactSystem()).jumps
     found = [jump.lateral_shift / MM for jump in jumps if jump.side == "right"]
     first, second, third = numbers("docs/usage.md",

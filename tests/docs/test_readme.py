@@ -8,12 +8,12 @@ from benchmarks import pages
 from tests.helpers.paths import ROOT, TESTS
 from wrcontact.cli import main
 from wrcontact.fmu import native
-from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import OUTPUT, VARIABLES
+from wrcontact.kernel.binding.platforms import PLATFORMS
 from wrcontact.profiles.catalogue import BUILDERS
 
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -72,8 +72,11 @@ def test_tools_that_are_said_to_run_are_run():
 
 def test_the_page_on_fmus_names_what_there_is(capsys):
     page = pages.PATTERN.sub("", (ROOT / "docs" / "fmu.md").read_text(encoding="utf-8"))   # without tables
-    for name in (*PLATFORMS, *BUILDERS, *native.compiled_units(2)):
+    for name in (*PLATFORMS, *BUILDERS):
         assert name in page, name
+    wildcards = re.search(r"-ffp-contract=off (.*) -o WheelsetContact", page)[1].split()
+    assert wildcards == ["*.c", "kernel/native/*.c"]
+    assert {unit.rpartition("/")[0] for unit in native.compiled_units(2)} == {"", "kernel/native"}
     with pytest.raises(SystemExit):
         main(["build", "--help"])
     options = capsys.readouterr().out

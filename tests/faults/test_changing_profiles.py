@@ -55,7 +55,7 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
     assert Profile.from_file(path, "rail").kind == "rail"
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_a_profile_that_is_replaced_while_others_read_it(tmp_path):
     """Whole files in turn: each reading is one of them, or refused."""
     path, texts = tmp_path / "rail.txt", [points_of("UIC60"), points_of("54E1")]

@@ -16,7 +16,7 @@ from tests.helpers.fmus import needs_compiler
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.fmu import build_fmu, native
-from wrcontact.fmu.compilers import zig_cache
+from wrcontact.kernel.binding.compiler import zig_cache
 from wrcontact.storage import atomic
 
 pytestmark = needs_linux
@@ -61,7 +61,6 @@ def small_disk(tmp_path):
     subprocess.run(["umount", "-l", str(disk)], check=True)
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 @needs_compiler
 def test_a_disk_that_is_too_small(tmp_path, small_disk, compiled):
@@ -122,9 +121,9 @@ def read_only(tmp_path):
                 inner.chmod(inner.stat().st_mode | 0o700)
 
 
-@pytest.mark.slow
+@pytest.mark.complete
 @needs_compiler
-@pytest.mark.parametrize("what", ["native", pytest.param("all", marks=pytest.mark.complete)])
+@pytest.mark.parametrize("what", ["native", "all"])
 def test_read_only_installation_home_and_folder(tmp_path, read_only, compiled, what):
     """The package evaluates, draws and builds its FMUs; where it may not write, one sentence says so."""
     installed, home, closed = (tmp_path / name for name in ("installed", "home", "closed"))
@@ -180,7 +179,7 @@ def test_zig_has_a_cache_where_the_home_is_read_only(tmp_path, monkeypatch):
     assert find() == {}
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("kind", ["python", pytest.param("native", marks=needs_compiler)])
 def test_an_fmu_in_a_read_only_folder(tmp_path, request, read_only, kind):
     """Unpacked by somebody else, with no home and no folder for temporary files that can be written to."""

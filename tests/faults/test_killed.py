@@ -39,7 +39,7 @@ def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
         assert errors == "wrcontact: interrupted; no file is half written\n" and parts_in(tmp_path) == []
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("words, rounds", [
     (("demo", "--output", "{}"), 1),
     *(pytest.param(words, 4, marks=pytest.mark.complete) for words in (
@@ -61,7 +61,6 @@ def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
         assert_files_are_whole(tmp_path)
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 def test_a_demo_that_is_killed(tmp_path):
     """At random times: each of its files is whole or not there, and the next run is
@@ -80,7 +79,7 @@ def test_a_demo_that_is_killed(tmp_path):
     assert assert_files_are_whole(tmp_path) == 3
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_compiler
 @pytest.mark.parametrize("rounds", [2, pytest.param(25, marks=pytest.mark.complete)])
 def test_a_build_that_is_killed(tmp_path, fmus, compiled, rounds):

@@ -23,7 +23,7 @@ def contact_of(system, rows):
     return hashlib.sha256(b"".join(system.evaluate(**row).values.tobytes() for row in rows)).digest()
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 def test_a_system_goes_on_in_other_processes(method):
     """One that has been used before: after a fork with all that it keeps, after a spawn made
@@ -66,7 +66,7 @@ print(found.hexdigest())
 """
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_bits_do_not_depend_on_the_threads_of_blas(tmp_path):
     """Of measured profiles that are mended and smoothed, and of the half-space, which use scipy."""
     wheel, chance = tmp_path / "wheel.txt", np.random.default_rng(5)

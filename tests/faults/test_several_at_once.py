@@ -1,5 +1,6 @@
 """Several builds at once, and several FMUs in one process."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -8,19 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from build_hooks.kernel_compiler import CompilerProblem, compile_library
 from tests.helpers.cases import OUTPUT_NAMES, poses
 from tests.helpers.faults import building, needs_linux, parts_in
 from tests.helpers.fmus import needs_compiler, run_scenario
 from tests.helpers.paths import ROOT
 from wrcontact.fmu import build_fmu, native
+from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library
 from wrcontact.kernel.binding.library import LIBRARY_NAME, LibraryUnusable, open_library
 from wrcontact.storage import atomic
 
 pytestmark = needs_linux
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_compiler
 @pytest.mark.parametrize("cold", [False, pytest.param(True, marks=pytest.mark.complete)],
                          ids=["warm", "cold"])
@@ -34,16 +35,14 @@ def test_builds_at_once(tmp_path, fmus, compiled, cold):
     assert not cold or not parts_in(tmp_path / "cache")
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 def test_kernels_compiled_at_once_while_others_load_them(tmp_path):
     """Into one folder: there is a whole library at any time."""
     folder = tmp_path / "kernel"
     shutil.copytree(Path(atomic.__file__).parents[1] / "kernel", folder)
-    script = (f"import sys; sys.path.insert(0, {str(ROOT / 'build_hooks')!r}); "
-              f"from kernel_compiler import compile_library; print(compile_library(sys.argv[1]))")
-    programs = [subprocess.Popen([sys.executable, "-c", script, str(folder)], stdout=subprocess.PIPE,
-                                 text=True)
+    command = [sys.executable, str(ROOT / "tools" / "compile_kernel.py"), "--folder", str(folder)]
+    environment = {**os.environ, "WRCONTACT_COMPILED": ""}
+    programs = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
                 for _ in range(3)]
     loads = 0
     while any(program.poll() is None for program in programs):
@@ -68,7 +67,7 @@ def test_a_compiler_that_fails_leaves_the_kernel_as_it_was(tmp_path):
 VARIANTS = {"one": ("0.1.0", None), "two": ("0.2.0", "54E1")}      #: version and rail
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_compiler
 @pytest.mark.parametrize("shared", [pytest.param(False, marks=pytest.mark.complete), True],
                          ids=["names of their own", "names shared"])

@@ -36,7 +36,7 @@ def is_whole(target):
     return len(content) == 3_000_000 and content == content[:1] * len(content)
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=[pytest.mark.slow, pytest.mark.complete])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.complete)
                                        for seed in range(2, 6))])
 def test_a_killed_writer_leaves_a_whole_file(tmp_path, seed):
     chance, target = random.Random(seed), tmp_path / "file"

@@ -10,14 +10,16 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from wrcontact.fmu.documentation import about_native, documentation_page
 
 from tests.helpers.cases import profile_file
 from tests.helpers.paths import ROOT
 from tests.helpers.schemas import problems_of
 from wrcontact.fmu import SOURCES, build, native
-from wrcontact.fmu.compilers import PLATFORMS
+from wrcontact.fmu.documentation import about_native, documentation_page
 from wrcontact.interface.variables import folded
+from wrcontact.kernel.binding.platforms import PLATFORMS
+
+pytestmark = pytest.mark.check
 
 KINDS = ("python", 2, 3)
 

@@ -4,7 +4,6 @@ They come with the extra "importers"; what is not installed is skipped, except w
 as in .ci/run. Of FMI 3 Ecos has scalars only; libcosim ends its process with any FMU of FMI 3.
 """
 
-import importlib.util
 import json
 import os
 import shutil
@@ -17,6 +16,7 @@ import pytest
 from tests.helpers.cases import RUNS, stored
 from tests.helpers.fmus import has_compiler, run_scenario, session, stepped
 from tests.helpers.paths import HELPERS
+from tests.helpers.platforms import needs_importer
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 
 SAME = 1e-9  # [relative]
@@ -26,11 +26,6 @@ NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL
 NOMINAL = {v.name: v.nominal for v in VARIABLES}
 pytestmark = pytest.mark.skipif(not has_compiler(),
                                 reason="a native FMU is built by a C compiler, and none is here")
-
-
-def needs(module):
-    missing = not importlib.util.find_spec(module) and os.environ.get("WRCONTACT_IMPORTERS") != "all"
-    return pytest.mark.skipif(missing, reason=f"{module} is not installed")
 
 
 @pytest.fixture(scope="session")
@@ -48,9 +43,9 @@ def assert_same(seen, wanted):
             assert value == pytest.approx(right, rel=SAME, abs=SAME * NOMINAL[name]), name
 
 
-@pytest.mark.parametrize("importer, version", [pytest.param("libcosimpy", 2, marks=needs("libcosimpy")),
-                                               pytest.param("ecospy", 2, marks=needs("ecospy")),
-                                               pytest.param("ecospy", 3, marks=needs("ecospy"))])
+@pytest.mark.parametrize("importer, version", [
+    pytest.param(name, version, marks=needs_importer(name))
+    for name, version in (("libcosimpy", 2), ("ecospy", 2), ("ecospy", 3))])
 def test_importer(fmus, wanted, importer, version, tmp_path):
     rows, expected = wanted
     libraries = os.pathsep.join(filter(None,
@@ -72,7 +67,7 @@ def tool(name, *arguments, folder):
     return done.stdout + done.stderr
 
 
-@needs("fmu_manipulation_toolbox")
+@needs_importer("fmu_manipulation_toolbox")
 @pytest.mark.parametrize("version", (2, 3))
 def test_fmutool_finds_nothing(fmus, version, tmp_path):
     said = tool("fmutool", "-input", str(fmus[version]), "-check", folder=tmp_path)
@@ -80,8 +75,8 @@ def test_fmutool_finds_nothing(fmus, version, tmp_path):
     assert f"No semantic error against the FMI-{version} standard" in said
 
 
-@needs("fmu_manipulation_toolbox")
-@pytest.mark.parametrize("version", (pytest.param(2, marks=pytest.mark.slow), 3))
+@needs_importer("fmu_manipulation_toolbox")
+@pytest.mark.parametrize("version", (pytest.param(2, marks=pytest.mark.full), 3))
 def test_container(fmus, wanted, version, tmp_path):
     """The FMU inside a container of FMI 2: the container's C importer drives it, fmpy the container."""
     rows, expected = wanted

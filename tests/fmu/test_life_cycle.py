@@ -4,14 +4,9 @@ PythonFMU knows neither fmi2Error nor the GUID, so the Python FMU refuses with t
 statuses: fmi2OK, and fmi2Discard for a step.
 """
 
-import json
-import subprocess
-import sys
-
 import pytest
 
-from tests.helpers.fmus import needs_compiler, run_scenario
-from tests.helpers.paths import HELPERS
+from tests.helpers.fmus import needs_compiler
 
 OK, WARNING, DISCARD, ERROR = range(4)
 STEPS = {"step before", "step inside", "step back", "step nan", "step at infinity", "beyond the stop",
@@ -29,26 +24,6 @@ NAMED = {
 }
 
 
-@pytest.fixture
-def native(fmus, tmp_path):
-    """Run a scenario of fmu_process.py with the native FMU of FMI 2."""
-    return lambda scenario, **arguments: run_scenario(scenario, fmus[2], tmp_path / "native", arguments)
-
-
-@pytest.fixture
-def native3(fmus, tmp_path):
-    """Run a scenario of native_process.py with the native FMU of FMI 3."""
-    return lambda scenario: run_process("native_process.py", scenario, fmus[3], tmp_path)[0]
-
-
-def run_process(script, scenario, file, folder):
-    """What a scenario has seen, and what it has written on the console."""
-    command = [sys.executable, str(HELPERS / script), scenario, str(file), str(folder / "unpacked")]
-    done = subprocess.run(command, input="{}", capture_output=True, text=True, encoding="utf-8", timeout=100)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout), done.stderr
-
-
 def assert_lines(answers):
     """Refused calls have one line each, with status and category; all others have none."""
     assert {name for name, (_, lines) in answers.items() if not lines} == GOOD
@@ -58,8 +33,8 @@ def assert_lines(answers):
         assert NAMED.get(name, "") in sentence, name
 
 
-def test_python_fmu_refuses_without_a_fatal_status(run):
-    seen = run("life")
+def test_python_fmu_refuses_without_a_fatal_status(hosts):
+    seen = hosts("python").ask("life")
     assert_lines(seen["answers"])
     assert {name for name, (status, _) in seen["answers"].items() if status == DISCARD} == STEPS
     assert all(status == OK for name, (status, _) in seen["answers"].items() if name not in STEPS)
@@ -67,8 +42,8 @@ def test_python_fmu_refuses_without_a_fatal_status(run):
 
 
 @needs_compiler
-def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(run, native):
-    seen, wanted = native("life"), run("life")
+def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts):
+    seen, wanted = hosts(2).ask("life"), hosts("python").ask("life")
     assert_lines(seen["answers"])
     assert {name for name, (status, _) in seen["answers"].items() if status == OK} == GOOD
     assert all(status in (OK, ERROR) for status, _ in seen["answers"].values())
@@ -77,59 +52,28 @@ def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(run, native):
     assert seen["after"] == pytest.approx(wanted["after"], abs=1e-12)
 
 
-def assert_foreign_stop(answers, status):
-    """A state brings its own stopTime."""
+def test_a_state_holds_its_stop_time(run, kind):
+    answers = run("foreign_stop")
     (found, ((_, category, sentence),)) = answers.pop("foreign")
-    assert (found, category) == (status, "logStatusError") and "after the stopTime 1.0 s" in sentence
+    assert (found, category) == (DISCARD if kind == "python" else ERROR, "logStatusError")
+    assert "after the stopTime 1.0 s" in sentence
     assert answers == {name: [OK, []] for name in ("before", "up to its stop", "own again")}
 
 
-def test_a_state_of_the_python_fmu_holds_its_stop_time(run):
-    assert_foreign_stop(run("foreign_stop"), DISCARD)
-
-
-@needs_compiler
-def test_a_state_of_the_native_fmu_holds_its_stop_time(native):
-    assert_foreign_stop(native("foreign_stop"), ERROR)
-
-
-@needs_compiler
-def test_a_state_of_fmi_3_holds_its_stop_time(native3):
-    answers = native3("foreign_stop")
-    failed, ((category, sentence),) = answers.pop("foreign")
-    assert failed and category == "logStatusError" and "after the stopTime 1.0 s" in sentence
-    assert answers == {name: [False, []] for name in ("before", "up to its stop", "own again")}
-
-
-@needs_compiler
-def test_native_refusals_reach_the_log_without_debug_logging(native):
-    seen = native("unlogged")
+def test_refusals_reach_the_log_without_debug_logging(run, kind):
+    """But those of the Python FMU: PythonFMU's log is off then. Its simulations end at their start, without
+    values."""
+    seen = run("unlogged")
+    assert seen["status"] == []     # a physical situation is a matter of debug logging
+    if kind == "python":
+        assert seen["parameter"] == []
+        assert {tuple(row[1:]) for row in seen["simulated"]} == {("nan", "4")}
+        assert {float(row[0]) for row in seen["simulated"]} == {0.0}
+        return
     (status, category, sentence), = seen["parameter"]
     assert (status, category) == (ERROR, "logStatusError") and "gauge is 14.35;" in sentence
-    assert seen["status"] == []     # a physical situation is a matter of debug logging
     assert seen["simulated"] == ERROR and "gauge is 14.35;" in seen["printed"]
 
 
-@needs_compiler
-def test_refusals_of_fmi_3_reach_the_log_without_debug_logging(native3):
-    seen = native3("unlogged")
-    (category, sentence), = seen["parameter"]
-    assert category == "logStatusError" and "gauge is 14.35;" in sentence
-    assert seen["status"] == [] and "gauge is 14.35;" in seen["printed"]
-
-
-def test_a_simulation_with_the_python_fmu_ends_after_a_refusal(run):
-    """PythonFMU's log is off without debug logging; the result ends at its start, without values."""
-    seen = run("unlogged")
-    assert seen["parameter"] == seen["status"] == []
-    assert {tuple(row[1:]) for row in seen["simulated"]} == {("nan", "4")}
-    assert {float(row[0]) for row in seen["simulated"]} == {0.0}
-
-
-def test_the_console_has_the_sentence(fmu, tmp_path):
-    _, console = run_process("fmu_process.py", "unlogged", fmu, tmp_path)
-    assert console.count("instance: gauge is 14.35;") == 1, console
-
-
-def test_a_text_that_is_none_is_no_crash(run):
-    assert run("pointers") == {"text": OK}
+def test_a_text_that_is_none_is_no_crash(hosts):
+    assert hosts("python").ask("pointers") == {"text": OK}

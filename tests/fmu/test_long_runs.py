@@ -5,18 +5,15 @@ and when eight walk in eight threads."""
 import hashlib
 import json
 import subprocess
-import sys
 import threading
 
 import numpy as np
 import pytest
 
-from benchmarks.native import native_host
-from tests.helpers.fmus import needs_glibc
-from tests.helpers.paths import HELPERS
+from data.native_host import native_host
+from tests.helpers.fmus import command, needs_glibc, question
 from tests.helpers.walker import HOME, RETURN, Walker
 from wrcontact import ContactSystem
-from wrcontact.fmu import build_fmu
 from wrcontact.interface.variables import FIRST_OUTPUT, REAL, STATUS, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 
@@ -36,7 +33,7 @@ CLASS = 30e3
 #: and after 1000 [bytes].
 TABLES = 3e6
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.full
 complete = pytest.mark.complete
 needs_library = pytest.mark.skipif(not default_kernel().compiled,
                                    reason="the source alone would walk for hours")
@@ -47,11 +44,6 @@ def hosts(fmus, tmp_path_factory):
     """The program native_host with the library of each version of FMI."""
     return {version: native_host(fmu, version, tmp_path_factory.mktemp("host"))
             for version, fmu in fmus.items()}
-
-
-@pytest.fixture(scope="session")
-def python_fmu(tmp_path_factory):
-    return build_fmu(tmp_path_factory.mktemp("python"))
 
 
 def together(*commands, given=None):
@@ -145,11 +137,11 @@ def test_eight_native_walks_in_eight_threads(hosts, steps):
 
 @needs_library
 @pytest.mark.parametrize("steps", [10_000, pytest.param(1_000_000, marks=complete)])
-def test_a_walk_of_the_python_fmu_repeats_itself_and_resumes(python_fmu, tmp_path, steps):
+def test_a_walk_of_the_python_fmu_repeats_itself_and_resumes(fmu, tmp_path, steps):
     ways = [{"seed": SEED, "steps": steps, "resumed": resumed} for resumed in (False, True)]
-    commands = [[sys.executable, HELPERS / "fmu_process.py", "walk", python_fmu, tmp_path / f"unpacked {k}"]
-                for k in range(2)]
-    walk, resumed = together(*commands, given=map(json.dumps, ways))
+    commands = [command(fmu, tmp_path / f"unpacked {k}") for k in range(2)]
+    walk, resumed = (answer["answer"] for answer in
+                     together(*commands, given=[question("walk", way) for way in ways]))
     assert assert_sound(walk) == assert_sound(resumed)
     assert resumed["partings"] > steps / 1000
     assert_home(walk)

@@ -16,8 +16,6 @@ import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
-from build_hooks import kernel_compiler
-from build_hooks.kernel_compiler import chosen_platform, requirements
 from tests.helpers.cases import INPUT_NAMES, REAL_INPUT_NAMES, RUNS, stored
 from tests.helpers.fmus import header_functions
 from tests.helpers.paths import HELPERS
@@ -32,9 +30,10 @@ from tests.helpers.platforms import (
 )
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu, native, online
-from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_for
+from wrcontact.fmu.online import compile_kernel
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding.compiler import CompilerProblem, chosen_platform, compiler_for, requirements
 from wrcontact.kernel.binding.files import HERE as KERNEL
 from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
@@ -76,13 +75,13 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
     monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
     assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
     monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
-    with pytest.raises(kernel_compiler.CompilerProblem,
+    with pytest.raises(CompilerProblem,
                        match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
         requirements()
 
 
 def test_generated_c_of_another_version_is_not_compiled(monkeypatch):
-    monkeypatch.setattr("wrcontact.fmu.compilers.fingerprint", lambda: 5)
+    monkeypatch.setattr("wrcontact.fmu.online.fingerprint", lambda: 5)
     with pytest.raises(CompilerProblem, match="does not belong to this version of its source"):
         compile_kernel(host_platform())
 
@@ -128,7 +127,7 @@ def library_of(folder, version, name):
                                   else place.name) / f"WheelsetContact{place.suffix}"
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs_lief
 @pytest.mark.parametrize("name", PLATFORMS)
@@ -138,7 +137,7 @@ def test_libraries_need_the_c_library_alone_and_export_the_standard(fmus, versio
     check_library(content, name, "WheelsetContact", set(header_functions(version)))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs_lief
 @pytest.mark.parametrize("name", PLATFORMS)
@@ -220,7 +219,7 @@ SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model"
 NOMINAL = np.array([v.nominal or 1.0 for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs_reference
 @pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: "-".join(settings.values()) or "default")
@@ -264,7 +263,7 @@ def packed_kernel(folder):
     return next(folder.glob("resources/wrcontact_*/kernel"))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 def test_python_fmu_carries_the_kernel_of_each_platform_that_loads_it(python_fmu, kernels):
     carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir()
@@ -286,7 +285,7 @@ print(kernel.compiled, kernel.compiled and kernel.library._name)
 """
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs(sys.platform != "win32", "the machine's name has another source there")
 def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
@@ -302,7 +301,7 @@ def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
             in elsewhere.stderr)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs_reference
 @pytest.mark.parametrize("name", ("x86_64-windows", "aarch64-linux"))

@@ -10,9 +10,12 @@ from pathlib import Path
 from fmpy import read_model_description
 
 from tests.helpers.cases import profile_file
+from tests.helpers.fmus import needs_compiler
 from tests.helpers.paths import ROOT
-from wrcontact.fmu import build_fmu
+from wrcontact.fmu import native
 from wrcontact.interface import variables
+from wrcontact.kernel.binding import compiler
+from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 
 
 def test_archive_holds_what_is_needed_and_nothing_else(entries):
@@ -47,17 +50,32 @@ def test_documentation_names_every_variable(entries):
     assert "contact_mode" in page and "about the wheelset's centre" in page and "a wheelset with mass" in page
 
 
-def test_equal_sources_give_equal_bytes(fmu, tmp_path):
-    again = build_fmu(tmp_path / "here")
-    assert again.read_bytes() == fmu.read_bytes()
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "7"}
-    script = "import sys; from wrcontact.fmu import build_fmu; build_fmu(sys.argv[1])"
-    subprocess.run([sys.executable, "-c", script, str(tmp_path / "there")], check=True, env=environment)
-    assert (tmp_path / "there" / fmu.name).read_bytes() == fmu.read_bytes()
+def test_command_line_prints_the_path_of_an_archive_with_the_same_bytes(fmu, tmp_path):
+    """Built by another process, in another folder, with other hashes of texts."""
+    command = [sys.executable, str(ROOT / "build_fmu.py"), "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path,
+                          env={**os.environ, "PYTHONHASHSEED": "7"})
+    assert done.returncode == 0, done.stderr
+    assert Path(done.stdout.strip()) == tmp_path / "out" / fmu.name
+    assert os.listdir(tmp_path / "out") == ["WheelsetContact.fmu"]
+    assert (tmp_path / "out" / fmu.name).read_bytes() == fmu.read_bytes()
 
 
-def test_other_contents_give_another_name_and_guid(description, fmu, tmp_path):
-    other = build_fmu(tmp_path, wheel=profile_file(tmp_path, "wheel"))
+@needs_compiler
+def test_equal_sources_are_compiled_to_equal_bytes(tmp_path):
+    """A part of the native FMUs, in two folders and not kept; test_wheels.py has the whole."""
+    command = [*compiler.compiler_for(PLATFORMS[host_platform()]), *compiler.FLAGS]
+    sources = native.sources(2, "{token}", *native.packed_profiles())
+    made = []
+    for name in ("one", "an other"):
+        native.write_sources(sources, tmp_path / name)
+        compiler.checked([*command, "-c", "wheelset.c", "-o", "part.o"], tmp_path / name)
+        made.append((tmp_path / name / "part.o").read_bytes())
+    assert made[0] == made[1]
+
+
+def test_other_contents_give_another_name_and_guid(description, fmu, kept, tmp_path):
+    other, = kept("python", wheel=profile_file(tmp_path, "wheel"))
     assert read_model_description(str(other)).guid != description.guid
     assert unique_names(other).isdisjoint(unique_names(fmu))
 
@@ -67,15 +85,6 @@ def unique_names(fmu):
     with zipfile.ZipFile(fmu) as archive:
         names = {name.split("/")[1] for name in archive.namelist() if name.startswith("resources/")}
     return {name for name in names if name.startswith(("wrcontact_", "wheelset_contact_"))}
-
-
-def test_command_line_prints_the_path(fmu, tmp_path):
-    script = ROOT / "build_fmu.py"
-    command = [sys.executable, str(script), "--output", str(tmp_path / "out")]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert Path(done.stdout.strip()) == tmp_path / "out" / "WheelsetContact.fmu"
-    assert os.listdir(tmp_path / "out") == ["WheelsetContact.fmu"]
 
 
 def test_command_line_refuses_an_unknown_profile(tmp_path):

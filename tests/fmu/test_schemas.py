@@ -4,12 +4,20 @@ import zipfile
 from xml.etree import ElementTree
 
 import pytest
+from fmpy.validation import validate_fmu
 
 from tests.helpers.fmus import needs_compiler
 from tests.helpers.schemas import problems_of, xml_problems
 
+pytestmark = pytest.mark.check
+
 NATIVE = {2: {"modelDescription.xml", "terminalsAndIcons/terminalsAndIcons.xml"}}
 NATIVE[3] = NATIVE[2] | {"sources/buildDescription.xml"}
+
+
+def test_fmpy_finds_no_problem(archive_of, kind):
+    """Nor in any other archive: it would not be written."""
+    assert validate_fmu(str(archive_of(kind))) == []
 
 
 def test_python_archive(fmu):

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from build_hooks import kernel_compiler
 from tests.helpers.paths import ROOT
 from tests.helpers.platforms import KERNEL_EXPORTS, check_library, needs, needs_build, needs_zig
 from wrcontact import ContactSystem
+from wrcontact.kernel.binding.compiler import find_compiler
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 # --- the same bytes again -------------------------------------------------------------------------
@@ -30,7 +30,7 @@ build_fmu(sys.argv[1])
 """
 
 
-@pytest.mark.slow
+@pytest.mark.complete
 @needs_zig
 def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
     """Native FMUs for every platform and the Python FMU, by two processes in folders of their own,
@@ -110,7 +110,7 @@ print(library.__file__, kernel.compiled, state.right.penetration.hex())
 """
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_zig
 @needs_build
 @pytest.mark.parametrize("name", PLATFORMS)
@@ -140,9 +140,9 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
                                                                       yaw=1e-3).right.penetration
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_build
-@needs(kernel_compiler.find_compiler(), "no C compiler here")
+@needs(find_compiler(), "no C compiler here")
 def test_wheel_of_this_machine(sources, tmp_path):
     wheel = built_wheel(sources, tmp_path / "wheels")
     tag = wheel.stem.split("-")[2:]
@@ -151,7 +151,7 @@ def test_wheel_of_this_machine(sources, tmp_path):
     assert list(libraries_in(wheel)) == [f"wrcontact/kernel/{LIBRARY_NAME}"]
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_build
 def test_source_archive_has_no_library(sources, tmp_path):
     subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True,

@@ -12,10 +12,10 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import system
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
+from wrcontact.halfspace import pressed_rolling
+from wrcontact.halfspace.rolling.pressure import Outline
 from wrcontact.interface.outputs import SIDES
-from wrcontact.reference import pressed_rolling
-from wrcontact.reference.rolling.pressure import Outline
 
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02}
 #: Coarse and fast: creep forces are then within 0.2 % of those at a tolerance of 0.001.
@@ -44,6 +44,7 @@ def apart(one, other):
     return max(np.hypot(*(creep(getattr(one, side)) - creep(getattr(other, side)))) for side in SIDES)
 
 
+@pytest.mark.full
 # the models' pressures and their outlines of strips are good to some tenths of a per cent on the tread; the
 # coupled strips are within 1 % of the complete theory (docs/method.md)
 @pytest.mark.parametrize("normal, tangential, bound", [
@@ -65,7 +66,7 @@ def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
 
 def test_cells_and_outlines_agree(monkeypatch, state):
     """The same patches without their cells, as outlines of sixteen strips."""
-    monkeypatch.setattr(pressed_rolling, "patch_fields", lambda side, number: None)
+    monkeypatch.setattr(pressed_rolling, "patch_fields", lambda side, patch: None)
     assert 0.0 < apart(state, wrcontact.ContactSystem(**COMPLETE).evaluate(**POSE)) < 0.005
 
 
@@ -106,6 +107,7 @@ def test_outlines_apart_and_one_side():
     assert power == pytest.approx(found.right.friction_power, rel=0.03)
 
 
+@pytest.mark.full
 def test_mirrored_poses_swap_the_wheels(complete, state):
     """To what the iterations of the pressures leave, whose sums run the other way for a mirrored pose."""
     turned = {name: -POSE[name] for name in ("lateral_shift", "yaw", "lateral_velocity")}
@@ -115,6 +117,7 @@ def test_mirrored_poses_swap_the_wheels(complete, state):
         assert two.patches[0].tangential.moment == pytest.approx(-one.patches[0].tangential.moment, rel=1e-4)
 
 
+@pytest.mark.full
 def test_backwards_is_the_mirror_image(complete):
     """On the way back without yaw the forces along the track are reversed."""
     there, back = (complete.evaluate(2e-3, speed=speed, lateral_velocity=0.02, side="right").right
@@ -123,6 +126,7 @@ def test_backwards_is_the_mirror_image(complete):
     np.testing.assert_allclose(creep(back), creep(there) * [-1.0, 1.0], rtol=0, atol=1e-5)
 
 
+@pytest.mark.full
 def test_rails_that_are_displaced_with_the_wheelset(complete, state):
     """The same contact elsewhere on the track."""
     away = 5e-3
@@ -148,6 +152,7 @@ def test_standstill_and_no_friction(complete, state):
         assert not each.right.outline.shear.any()
 
 
+@pytest.mark.full
 def test_wet_rails(complete):
     """Creepages count half, those of the rows too: as on the outlines of the kernel's patches."""
     wet = {"slope_reduction": 0.5}
@@ -159,21 +164,21 @@ def test_wet_rails(complete):
 
 def ellipse_side(length=3e-3, width=5e-3, cells=40, gap=0.0):
     """A solved side with Hertz's pressure of an elliptic patch on so many cells each way, the columns beyond
-    its middle ``gap`` [m] farther away; and the ellipse itself on the fine grid."""
+    its middle ``gap`` [m] farther away; and the patch, and the ellipse itself on the fine grid."""
     x, s = (centre + half * (2 * np.arange(cells + 4) - cells - 2.7) / cells
             for centre, half in ((1e-3, length), (-4e-3, width)))
     square = 1.0 - ((x[:, None] - 1e-3) / length)**2 - ((s + 4e-3) / width)**2
     contact = SimpleNamespace(x=x, s=s + gap * (s > -4e-3), pressure=1e9 * np.sqrt(np.maximum(square, 0.0)))
-    solved = SimpleNamespace(x=1e-3, totals=SimpleNamespace(centroid=-4e-3))
-    side = SimpleNamespace(wheel=SimpleNamespace(contact=contact), ranked=lambda number: solved)
+    patch = SimpleNamespace(x=1e-3, rank=1, totals=SimpleNamespace(centroid=-4e-3))
+    side = SimpleNamespace(wheel=SimpleNamespace(contact=contact))
     outline = Outline.of_ellipse(length, width, 1e9 * 2 / 3 * np.pi * length * width)
-    return side, outline.on_grid(48, 48)
+    return side, patch, outline.on_grid(48, 48)
 
 
 def test_sampled_pressures_are_those_of_an_ellipse():
     """Hertz's patch on cells that do not fit it, at their middles, against the ellipse in closed form."""
-    side, exact = ellipse_side()
-    coarse, fine = pressed_rolling.patch_fields(side, 0)
+    side, patch, exact = ellipse_side()
+    coarse, fine = pressed_rolling.patch_fields(side, patch)
     assert coarse.pressure.shape == (24, 24)
     # an edge within cells is known to 0.06 of a cell, 0.3 % of the half-axes
     for found, given, half in ((fine.x, exact.x, 3e-3), (fine.y, exact.y, 5e-3)):
@@ -186,8 +191,8 @@ def test_sampled_pressures_are_those_of_an_ellipse():
 
 def test_cells_that_do_not_show_the_edge_are_not_sampled():
     """Where they are few, or where the grids of two patches meet."""
-    assert pressed_rolling.patch_fields(ellipse_side(cells=pressed_rolling.LEAST_CELLS - 3)[0], 0) is None
-    assert pressed_rolling.patch_fields(ellipse_side(gap=1e-4)[0], 0) is None
+    assert pressed_rolling.patch_fields(*ellipse_side(cells=pressed_rolling.LEAST_CELLS - 3)[:2]) is None
+    assert pressed_rolling.patch_fields(*ellipse_side(gap=1e-4)[:2]) is None
 
 
 def test_a_prescribed_vertical_load_is_refused():
@@ -200,7 +205,7 @@ def test_a_prescribed_vertical_load_is_refused():
 def manchester():
     """Both wheels of each position, {shift [mm]: {side: row}}."""
     pairs = {}
-    with open(REFERENCE_DATA / "manchester_a22_creepages.csv", newline="", encoding="utf-8") as file:
+    with open(DATA / "manchester_a22_creepages.csv", newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             values = {key: text if key == "side" else float(text) for key, text in row.items()}
             pairs.setdefault(values["lateral_shift_mm"], {})[row["side"]] = values
@@ -221,12 +226,12 @@ def manchester_wheelset(pair, **methods):
 
 def off(row, found):
     """Difference from the reference output, whose Fx is that on the rail, and Fs towards the left on both
-    sides (tests/reference/README.md)."""
+    sides (data/README.md)."""
     left = 1.0 if row["side"] == "left" else -1.0
     return np.hypot(*(creep(found) - np.array([-row["Fx_N"], left * row["Fs_N"]]) / (FRICTION * row["FN_N"])))
 
 
-@pytest.mark.parametrize("shift", [pytest.param(shift, marks=() if shift in (3.0, 7.0) else pytest.mark.slow)
+@pytest.mark.parametrize("shift", [pytest.param(shift, marks=() if shift in (3.0, 7.0) else pytest.mark.full)
                                    for shift in manchester() if shift > 0.0])
 def test_manchester_benchmark(shift):
     """CONTACT's complete theory, its own normal contact in one plane for each patch.  Measured: 0.28 % at
@@ -240,7 +245,7 @@ def test_manchester_benchmark(shift):
         assert found.friction_power == pytest.approx(-row["friction_power"], rel=3e-3, abs=0.7)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_centred_manchester_wheelset(monkeypatch):
     """Centred, a patch of 27 mm is conformal.  Its rows have rolling radii of their own; without them, as in
     CONTACT's plane patch, the forces agree."""
@@ -248,7 +253,7 @@ def test_centred_manchester_wheelset(monkeypatch):
     methods = {"normal_model": "halfspace", "tangential_model": "halfspace"}
     state = manchester_wheelset(pair, **methods)
 
-    def plane(motion, side, number, patch, field):
+    def plane(motion, side, patch, field):
         return patch.creepage_x - patch.spin * field.y
 
     monkeypatch.setattr(pressed_rolling, "row_slips", plane)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.inside import work_of
 from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
@@ -41,27 +42,52 @@ def compliant(inputs):
     return inputs | {"vertical_shift_input": found.vertical_shift, "roll_input": found.roll}
 
 
-def cross_sum(state):
+def stepped(contact, inputs):
+    """The state of a system at ``inputs``, and the workspace of its step."""
+    state, stepper = contact.evaluate(**inputs), contact.stepper()
+    stepper.inputs[:] = state.inputs
+    assert stepper.step() == state.status == 0
+    return state, work_of(stepper)
+
+
+def cross_sum(state, work):
     """Force, moment about the wheelset's centre (6,) and torque about the axle of the creep forces of each
-    side, and their power, from the outputs of the patches."""
+    side, and their power, in numpy: tractions along the track act at their strips, all else at the centre of
+    load.  About the axle their arm is the rolling radius; without that in the moment."""
     found = {}
     yaw, roll = state["yaw"], state.roll
     axle = np.array([-np.sin(yaw) * np.cos(roll), np.cos(yaw) * np.cos(roll), np.sin(roll)])
     centre = np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46])
-    for mirror, name in zip((-1.0, 1.0), SIDES):
+
+    def turned(place, radius, force):
+        """Moment (3,) of a force, and its part about the axle with the rolling radius."""
+        moment = np.cross(place - centre, force)
+        return moment, radius / np.linalg.norm(np.cross(axle, place - centre)) * (moment @ axle)
+
+    for mirror, name, side in zip((-1.0, 1.0), SIDES, work.sides):
         total, torque, power = np.zeros(6), 0.0, 0.0
-        for patch in getattr(state, name).patches:
+        for record in side.patches[:side.patch_count]:
+            patch = getattr(state, name).patches[record.rank - 1]
             sine, cosine = np.sin(patch.contact_angle), np.cos(patch.contact_angle)
             outside = np.array([0.0, mirror * cosine, -sine])        # to the field side, in the patch's plane
             normal = np.array([0.0, -mirror * sine, -cosine])        # from the rail to the wheel
-            force = patch.tangential.x * np.array([1.0, 0, 0]) + patch.tangential.y * outside
-            arm = np.array([patch.x_track, patch.y_track, patch.z_track]) - centre
-            moment = np.cross(arm, force) + patch.tangential.moment * normal
-            total += np.concatenate([force, moment])
-            torque -= moment @ axle
+            place = np.array([patch.x_track, patch.y_track, patch.z_track])
+            along = np.array([1.0, 0.0, 0.0])
+            rest, turning = patch.tangential.x, patch.tangential.moment
+            moments = []
+            for strip in record.strips:
+                force = strip.force_x * strip.width
+                rest, turning = rest - force, turning - mirror * strip.y * force
+                at = np.array([patch.x_track + strip.x, mirror * strip.y_track, strip.z_track])
+                moments.append(turned(at, strip.rolling_radius, force * along))
+            moments.append(turned(place, patch.rolling_radius, rest * along + patch.tangential.y * outside))
+            moments.append((turning * normal, turning * normal @ axle))
+            force = patch.tangential.x * along + patch.tangential.y * outside
+            total += np.concatenate([force, sum(moment for moment, _ in moments)])
+            torque -= sum(part for _, part in moments)
             power += patch.friction_power
         found[name] = total, torque, power
-    return found
+    return found, axle
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
@@ -69,12 +95,12 @@ def cross_sum(state):
 def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
     inputs = compliant(POSES[pose]) if mode == "compliant" else POSES[pose]
     for model in MODELS:
-        state = system(contact_mode=mode, tangential_model=model).evaluate(**inputs)
-        assert state.status == 0
-        sides = cross_sum(state)
+        state, work = stepped(system(contact_mode=mode, tangential_model=model), inputs)
+        sides, axle = cross_sum(state, work)
         total, torque = np.zeros(6), 0.0
         for name, (expected, part, power) in sides.items():
             side = getattr(state, name)
+            expected[3:] -= (part + expected[3:] @ axle) * axle
             added = np.concatenate([np.subtract(side.force, side.normal.force),
                                     np.subtract(side.moment, side.normal.moment)])
             np.testing.assert_allclose(added, expected, rtol=0, atol=1e-6)     # N, N m: rounding of 1e5
@@ -111,8 +137,9 @@ def test_power_is_that_of_the_wheelset(pose):
     """What friction takes is the work of the creep forces on the wheel's body: force times velocity of the
     centre, moment times rotation, and torque times wheel rate."""
     inputs = compliant(POSES[pose]) | {"vertical_velocity": 0.013, "roll_rate": -0.02}
-    state = system(contact_mode="compliant", tangential_model=MODELS[-1]).evaluate(**inputs)
-    creep = np.subtract(state.force, state.normal.force), np.subtract(state.moment, state.normal.moment)
+    state, work = stepped(system(contact_mode="compliant", tangential_model=MODELS[-1]), inputs)
+    sides, _ = cross_sum(state, work)
+    creep = sides["left"][0] + sides["right"][0]
     curvature = inputs.get("track_curvature", 0.0)
     rate = inputs.get("wheel_rate") or inputs["speed"] / 0.46
     centre = np.array([inputs["speed"] * (1 - curvature * inputs["lateral_shift"]),
@@ -121,26 +148,9 @@ def test_power_is_that_of_the_wheelset(pose):
     turning = np.array([inputs["roll_rate"] * np.cos(yaw), inputs["roll_rate"] * np.sin(yaw),
                         inputs["yaw_rate"] + inputs["speed"] * curvature])
     # the wheel's circumference has the radius of its profile, not the distance from the axle
-    power = creep[0] @ centre + creep[1] @ turning
+    power = creep[:3] @ centre + creep[3:] @ turning + state.driving_torque * rate
     total = state.left.friction_power + state.right.friction_power
-    rolled = sum(-patch_rolling(state, side, patch, rate) for side in (state.left, state.right)
-                 for patch in side.patches)
-    assert total == pytest.approx(-(power + rolled), rel=1e-9)
-
-
-def patch_rolling(state, side, patch, rate):
-    """Power of a patch's creep force against the rotation of the wheel about its axle."""
-    mirror = 1.0 if side.contact.y_track > 0 else -1.0
-    yaw, roll = state["yaw"], state.roll
-    axle = np.array([-np.sin(yaw) * np.cos(roll), np.cos(yaw) * np.cos(roll), np.sin(roll)])
-    arm = (np.array([patch.x_track, patch.y_track, patch.z_track])
-           - [0.0, state["lateral_shift"], state.vertical_shift - 0.46])
-    around = np.cross(axle, arm)
-    velocity = rate * patch.rolling_radius / np.linalg.norm(around) * around
-    sine, cosine = np.sin(patch.contact_angle), np.cos(patch.contact_angle)
-    force = np.array([patch.tangential.x, mirror * cosine * patch.tangential.y, -sine * patch.tangential.y])
-    normal = np.array([0.0, -mirror * sine, -cosine])
-    return force @ velocity + patch.tangential.moment * (normal @ axle) * rate
+    assert total == pytest.approx(-power, rel=1e-9)
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
@@ -251,15 +261,16 @@ def test_slope_reduction(model):
     for stepper in (full, reduced):
         stepper.inputs[:] = system().evaluate(**POSE).inputs
         assert stepper.step() == 0
-    patch = layout.Work.at(full._workspace).rolling_sides[1].patches[0]
+    work = work_of(full)
+    patch = next(patch for patch in work.sides[1].patches if patch.rank == 1)
     for name in ("creepage_x", "creepage_y", "spin"):
         setattr(patch, name, 0.5 * getattr(patch, name))
     for strip in patch.strips:
         strip.slip *= 0.5
-    solve_tangential(layout.Tables.at(full.tables), patch)
+    solve_tangential(layout.Tables.at(full.tables), work.rolling, patch)
     found = layout.Outputs.at(reduced.outputs).left[1].patch[0]
-    assert found.creep_force_x == pytest.approx(patch.force_x, rel=1e-12)
-    assert found.creep_force_y == pytest.approx(patch.force_y, rel=1e-12)
+    assert found.creep_force_x == pytest.approx(patch.creep_x, rel=1e-12)
+    assert found.creep_force_y == pytest.approx(patch.creep_y, rel=1e-12)
     wet = {"slope_reduction": 0.54, "slope_reduction_rate": 0.64}
     forces = [-system(tangential_model=model, **wet).evaluate(
         speed=20.0, wheel_rate=20.0 / 0.46 * (1 - creepage)).right.force.x for creepage in (0.003, 0.05, 0.5)]

@@ -6,24 +6,16 @@ import pytest
 
 import wrcontact
 from tests.helpers.contact_fuzz import amounts
-from tests.helpers.fuzzing import log_uniform
-from tests.motion.test_fuzz_all import MODES, SIDES, assert_none, draw_poses, draw_wheelset, mirrored
+from tests.helpers.moving_fuzz import (
+    MODES,
+    SIDES,
+    assert_none,
+    draw_friction,
+    draw_poses,
+    draw_wheelset,
+    mirrored,
+)
 from wrcontact.status import Status
-
-MODELS = ("polach", "fastsim", "fastrip", "strips")
-
-
-def draw_friction(rng, wheelset, count):
-    """A wheelset with a tangential model, whose friction falls and whose slope is reduced now and then; and
-    the friction (count,) of both sides, of all sizes."""
-    found = dict(wheelset, tangential_model=str(rng.choice(MODELS)),
-                 load=str(rng.choice(("normal", "vertical"))),
-                 friction_fall=float(rng.choice((1.0, 0.4))), friction_fall_rate=float(rng.choice((0.0,
-                 0.6))), flange_friction_ratio=float(rng.choice((1.0, 0.2))),
-                 slope_reduction=float(rng.choice((1.0, 0.5))), slope_reduction_rate=float(rng.choice((0.0,
-                 0.64))), poisson_ratio=float(rng.choice((0.25, 0.27, 0.28, 0.3, 0.4))))
-    return found, {f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0,
-                                                log_uniform(rng, 1e-3, 1.0, count)) for side in SIDES}
 
 
 def patches_of(table):

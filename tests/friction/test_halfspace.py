@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.inside import work_of
+from wrcontact.halfspace import rolling_step
+from wrcontact.halfspace.rolling.extrapolation import roll_ellipse
+from wrcontact.halfspace.rolling_step import roll_strips
 from wrcontact.interface.outputs import SIDES
-from wrcontact.kernel import layout
-from wrcontact.reference import rolling_step
-from wrcontact.reference.rolling.extrapolation import roll_ellipse
-from wrcontact.reference.rolling_step import roll_strips
 
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02}
 
@@ -53,19 +53,19 @@ def test_an_ellipse_of_strips_is_that_ellipse():
     stepper = system.stepper()
     stepper.inputs[:] = system.evaluate(1e-3, speed=20.0, lateral_velocity=0.03).inputs
     assert stepper.step() == 0
-    work = layout.Work.at(stepper._workspace)
-    patch = work.rolling_sides[1].patches[0]
+    work = work_of(stepper)
+    patch = work.sides[1].patches[0]
     for strip in patch.strips:
         strip.slip = patch.creepage_x - patch.spin * strip.y
         strip.x = 0.0
     material = {"shear_modulus": 210e9 / 2.56, "poisson_ratio": 0.28}
-    exact = roll_ellipse(patch.half_length, patch.half_width, patch.load, creepage_x=patch.creepage_x,
+    exact = roll_ellipse(patch.half_length, patch.half_width, patch.totals.load, creepage_x=patch.creepage_x,
                          creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction, **material)
     roll_strips(patch, **material)
-    found = np.array([patch.force_x, patch.force_y])
+    found = np.array([patch.creep_x, patch.creep_y])
     # both are extrapolated from the same numbers of cells
     np.testing.assert_allclose(found, [exact.force_x, exact.force_y],
-                               atol=2e-3 * patch.friction * patch.load, rtol=0)
+                               atol=2e-3 * patch.friction * patch.totals.load, rtol=0)
 
 
 def test_backwards_is_the_mirror_image():

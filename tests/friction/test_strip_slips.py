@@ -5,6 +5,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cone import cone_system
+from tests.helpers.inside import work_of
 from wrcontact.kernel import layout
 from wrcontact.profiles.compiled import evaluate_table
 
@@ -16,7 +17,12 @@ def rolled(system, **inputs):
     stepper = system.stepper()
     stepper.inputs[:] = wrcontact.ContactSystem().evaluate(**inputs, **MOTION).inputs
     assert stepper.step() == 0
-    return layout.Outputs.at(stepper.outputs), layout.Work.at(stepper._workspace), stepper
+    return layout.Outputs.at(stepper.outputs), work_of(stepper), stepper
+
+
+def ranked(side):
+    """The patches of a side by falling load."""
+    return sorted(side.patches[:side.patch_count], key=lambda patch: patch.rank)
 
 
 @pytest.mark.parametrize("slope", [0.025, 0.05, 0.1])
@@ -25,7 +31,7 @@ def test_on_a_cone_it_is_that_of_spin(slope):
     planes, by 1 - cos of an angle of some hundredths."""
     outputs, work, _ = rolled(cone_system(slope, tangential_model="polach"), lateral_shift=2e-3)
     for index, mirror in enumerate((-1.0, 1.0)):
-        patch, to = work.rolling_sides[index].patches[0], outputs.left[index].patch[0]
+        patch, to = ranked(work.sides[index])[0], outputs.left[index].patch[0]
         spin = -mirror * to.spin
         for strip in patch.strips:
             expected = to.creepage_x - spin * strip.y
@@ -43,9 +49,8 @@ def test_on_a_profile_it_follows_the_rolling_radius(shift, yaw):
     centre = np.array([0.0, shift, height - 0.46])
     rate = MOTION["speed"] / 0.46
     for index, mirror in enumerate((-1.0, 1.0)):
-        for number in range(work.rolling_sides[index].count):
-            patch, to = work.rolling_sides[index].patches[number], outputs.left[index].patch[number]
-            places = np.array([(to.x_track + strip.x, strip.y_track, strip.z_track)
+        for patch, to in zip(ranked(work.sides[index]), outputs.left[index].patch):
+            places = np.array([(to.x_track + strip.x, mirror * strip.y_track, strip.z_track)
                                for strip in patch.strips])
             # the strips lie on the rail
             across = mirror * places[:, 1] - rail_y

@@ -4,22 +4,16 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.cases import input_row
-from wrcontact.interface.variables import BOOLEAN, FIRST_OUTPUT, INPUT, STATUS, VARIABLES
+from tests.helpers.moving_rates import INPUTS, NAMES, errors_of_rates, moved_inputs, moving_row
 from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
 
-INPUTS = [v for v in VARIABLES if v.causality == INPUT]
-OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
-NAMES = [v.name for v in OUTPUTS]
-NOMINAL = np.array([v.nominal or 1.0 for v in OUTPUTS])
 #: Shares of stick jump from point to point of a strip, and runs over the outline follow them.
 SMOOTH = np.array([name.endswith((".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z",
                                   "driving_torque", "tangential.x", "tangential.y", "tangential.moment",
                                   "friction_power", "saturation", "wear_number")) for name in NAMES])
-MOVED = [place for place, v in enumerate(INPUTS) if v.type != BOOLEAN and v.name != "roll_guess"]
 MOTION = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
           "roll_rate": 0.03, "wheel_rate": 54.3, "track_curvature": 1e-3, "left.friction": 0.35,
           "right.friction": 0.25}
@@ -38,39 +32,15 @@ PARAMETERS = {
 AGREE = {"polach": 1e-4, "fastsim": 2e-2, "strips": 5e-3}
 
 
-def moving_row(parameters, shift, yaw):
-    row = input_row(shift, yaw, 0.0, 78.5e3)
-    for place, variable in enumerate(INPUTS):
-        row[place] = MOTION.get(variable.name, row[place])
-    if parameters.get("contact_mode") == "compliant":
-        stand = wrcontact.ContactSystem(**parameters | {"contact_mode": "elastic"}).evaluate(shift, yaw)
-        row[5:7] = stand.vertical_shift, stand.roll
-    return row
-
-
 @pytest.mark.parametrize("model", ["polach", "fastsim", "strips"])
 @pytest.mark.parametrize("case", PARAMETERS)
 def test_derivatives(case, model):
-    """With respect to every input: central differences over three steps, of which one is to be met."""
+    """With respect to every input: central differences over steps, of which one is to be met."""
     parameters = PARAMETERS[case]
     stepper = wrcontact.ContactSystem(**parameters, tangential_model=model).stepper()
-
-    def outputs(at):
-        stepper.inputs[:] = at
-        assert stepper.step() == 0
-        return stepper.outputs.copy()
-
     for shift, yaw in POSES:
-        row = moving_row(parameters, shift, yaw)
-        for place in MOVED:
-            outputs(row)
-            rates = stepper._bound.tangent(np.eye(len(row))[place])[1]
-            off = np.inf
-            for share in (1e-5, 1e-4, 1e-3):
-                step = share * INPUTS[place].nominal * np.eye(len(row))[place]
-                difference = (outputs(row + step) - outputs(row - step)) / (2 * step[place])
-                off = np.minimum(off, np.abs(rates - difference))
-            size = np.maximum(np.abs(rates), 0.05 * NOMINAL / INPUTS[place].nominal)
-            worst = np.where(SMOOTH, off / size, 0.0)
+        row = moving_row(parameters, MOTION, shift, yaw)
+        for place in moved_inputs():
+            worst = np.where(SMOOTH, errors_of_rates(stepper, row, place, 0.05), 0.0)
             assert worst.max() < AGREE[model], (
                 f"d {NAMES[worst.argmax()]} / d {INPUTS[place].name} at {shift}, {yaw}: {worst.max():.2g}")

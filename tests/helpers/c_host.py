@@ -1,4 +1,4 @@
-"""Answers of tests/helpers/native_host.c, and the compilers' flags that it is built with."""
+"""Answers of data/native_host.c, and the compilers' flags that it is built with."""
 
 import json
 import shutil

@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 
 import wrcontact
-from tests.helpers.paths import REFERENCE_DATA, TRAJECTORIES
+from tests.helpers.paths import DATA, TRAJECTORIES
 from wrcontact import ContactSystem
 from wrcontact.interface.variables import INPUT, OUTPUT, REAL, VARIABLES
 
@@ -86,7 +86,7 @@ WRONG_PARAMETERS = {
 
 
 def planar_cases():
-    return json.loads((REFERENCE_DATA / "contact_planar.json").read_text())["cases"]
+    return json.loads((DATA / "contact_planar.json").read_text())["cases"]
 
 
 FORCE = 78.5e3   # per wheel [N]

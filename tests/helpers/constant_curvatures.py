@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.helpers.hertz import MODULUS, hertz
+from data.hertz import MODULUS, hertz
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table

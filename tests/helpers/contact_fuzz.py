@@ -33,8 +33,8 @@ def amounts(quick, share, complete):
     """Seeds, scenes and poses of each: for every run, for CI, and for a long run."""
     return pytest.mark.parametrize("seed, scenes, poses", [
         pytest.param(1, *quick, id="quick"),
-        pytest.param(2, *share, id="share", marks=pytest.mark.slow),
-        pytest.param(3, *complete, id="complete", marks=[pytest.mark.slow, pytest.mark.complete])])
+        pytest.param(2, *share, id="share", marks=pytest.mark.full),
+        pytest.param(3, *complete, id="complete", marks=pytest.mark.complete)])
 
 
 def unique(seed, scenes, poses, **fixed):

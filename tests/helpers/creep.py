@@ -4,14 +4,14 @@ import json
 
 import numpy as np
 
-from tests.helpers.paths import ROOT
-from wrcontact.reference.rolling import Outline, PressureField
+from tests.helpers.paths import DATA
+from wrcontact.halfspace.rolling import Outline, PressureField
 
-FOLDER = ROOT / "tests" / "reference" / "creep"
+FOLDER = DATA / "creep"
 
 
 def stored(name):
-    """What the file of tests/reference/creep holds."""
+    """What the file of data/creep holds."""
     return json.loads((FOLDER / name).read_text(encoding="utf-8"))
 
 

@@ -13,6 +13,9 @@ EXACT = 1e-9
 OF_FORCE = 0.005
 #: How much the slip and its direction change over a patch where all slides.
 OF_SLIDING = 0.01
+#: How far strips, at which tractions act, lie beside the plane through the centre of load, over the width:
+#: the outputs have one place for a patch.
+OF_BOW = 0.01
 #: The middles of sixteen strips miss this share of the largest pressure, and the lines between them that.
 OF_LARGEST, OF_STATION = 0.05, 0.1
 YOUNG, POISSON = 210e9, 0.28
@@ -40,18 +43,39 @@ def axes(wheel, k):
     return np.array([[1.0, 0.0, 0.0], [0.0, wheel.sign * cosine, -sine], [0.0, -wheel.sign * sine, -cosine]])
 
 
+def axle(wheel):
+    """Direction of the axle to the right, not mirrored (3,)."""
+    yaw, roll = wheel.sign * wheel.yaw, wheel.sign * wheel.roll
+    return np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
+
+
 def creep_vectors(wheel, k):
-    """Creep force of a patch, and its moment about the wheelset's centre, by its own outputs (2, 3)."""
+    """Creep force of a patch, and its moment about the wheelset's centre, by its own outputs (2, 3); about
+    the axle the arm of the force is the rolling radius."""
     x, y, moment = of_patch(wheel, k, "tangential.x", "tangential.y", "tangential.moment")
     along, outside, normal = axes(wheel, k)
     force = x * along + y * outside
     arm = np.array(of_patch(wheel, k, "x_track", "y_track", "z_track")) - wheel.centre
-    return np.array([force, np.cross(arm, force) + moment * normal])
+    turned, around = np.cross(arm, force), axle(wheel)
+    longer = wheel[f"patch[{k}].rolling_radius"] / np.linalg.norm(np.cross(around, arm)) - 1.0
+    return np.array([force, turned + longer * (turned @ around) * around + moment * normal])
 
 
 def side_creep(wheel):
     """Creep force and moment of a wheel, the sum over its patches (2, 3)."""
     return sum((creep_vectors(wheel, k) for k in range(1, wheel.count + 1)), np.zeros((2, 3)))
+
+
+def patch_bowed(wheel, k):
+    """What the moment of a patch's creep force may miss where tractions act at strips [N m]; Polach's formula
+    knows none."""
+    force = np.linalg.norm(creep_vectors(wheel, k)[0])
+    return OF_BOW * force * wheel[f"patch[{k}].width"] * slides(wheel)
+
+
+def bowed(wheel):
+    """The same of a wheel."""
+    return sum(patch_bowed(wheel, k) for k in range(1, wheel.count + 1))
 
 
 def expected_force(wheel, k):
@@ -145,16 +169,20 @@ def power(wheel, k):
     return -(force @ slide + wheel[f"patch[{k}].tangential.moment"] * turning)
 
 
+def power_missed(wheel, k):
+    """Velocities by differences [W], and strips that slide otherwise than the patch's plane as it turns."""
+    return 1e-5 * abs(power(wheel, k)) + 1e-3 + patch_bowed(wheel, k) * abs(patch_moves(wheel, k)[1])
+
+
 @zero_without_friction
 def patch_power(wheel, k):
-    value = power(wheel, k)
-    yield value, 1e-5 * abs(value) + 1e-3         # [W]; velocities by differences
+    yield power(wheel, k), power_missed(wheel, k)
 
 
 @zero_without_friction
 def side_power(wheel):
-    value = sum(power(wheel, k) for k in range(1, wheel.count + 1))
-    yield value, 1e-5 * abs(value) + 1e-3
+    patches = range(1, wheel.count + 1)
+    yield sum(power(wheel, k) for k in patches), sum(power_missed(wheel, k) for k in patches)
 
 
 @zero_without_friction
@@ -168,7 +196,7 @@ def wear_number(wheel):
 def driving_torque(scene):
     """About the axle, which is yawed and rolled; a wheel turns forward against the axle's direction to the
     right."""
-    yaw, roll = scene.inputs.get("yaw", 0.0), scene.values["roll"]
-    axle = np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
-    moments = [side_creep(wheel)[1] for wheel in scene.wheels.values()]
-    yield -sum(moments) @ axle, EXACT * 1e3 + EXACT * np.abs(moments).max()
+    wheels = list(scene.wheels.values())
+    moments = [side_creep(wheel)[1] for wheel in wheels]
+    yield -sum(moments) @ axle(wheels[0]), (EXACT * 1e3 + EXACT * np.abs(moments).max()
+                                            + sum(bowed(wheel) for wheel in wheels))

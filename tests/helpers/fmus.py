@@ -5,6 +5,8 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
+import time
 import zipfile
 from pathlib import Path
 
@@ -12,12 +14,12 @@ import fmpy
 import numpy as np
 import pytest
 
-from tests.helpers.cases import INPUT_NAMES, OUTPUT_NAMES
+from tests.helpers.cases import INPUT_NAMES
 from tests.helpers.paths import HELPERS
 from wrcontact import ContactSystem
-from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
-from wrcontact.interface.variables import BOOLEAN, REFERENCE, STRING, VARIABLES
+from wrcontact.interface.variables import BOOLEAN, PLACE, REFERENCE, STRING, VARIABLES
+from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
 from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.simulation.session import Session
@@ -27,14 +29,65 @@ SAME = 1e-12        # [relative] to the package; the same compiler and libm give
 WARM_START = 1e-7   # [relative] what the warm start leaves: other iterations, same answer
 
 
-def run_scenario(scenario, file, folder, arguments):
-    """A scenario in a fresh process that is not in this repository."""
-    command = [sys.executable, str(HELPERS / "fmu_process.py"), scenario, str(file), str(folder)]
-    settings = {"capture_output": True, "text": True, "encoding": "utf-8", "cwd": folder.parent,
-                "timeout": 600}
-    done = subprocess.run(command, input=json.dumps(arguments), **settings)
+def run_process(scenario, file, folder, arguments):
+    """A scenario in a process of its own, outside this repository, and what it writes on the console."""
+    done = subprocess.run(command(file, folder), input=question(scenario, arguments), capture_output=True,
+                          text=True, encoding="utf-8", cwd=folder.parent, timeout=600)
     assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
-    return json.loads(done.stdout)
+    return answer_of(done.stdout, scenario), done.stderr
+
+
+def run_scenario(scenario, file, folder, arguments):
+    return run_process(scenario, file, folder, arguments)[0]
+
+
+def command(file, folder):
+    return [sys.executable, str(HELPERS / "fmu_process.py"), str(file), str(folder)]
+
+
+def question(scenario, arguments):
+    return json.dumps({"scenario": scenario, **arguments}) + "\n"
+
+
+def answer_of(line, scenario):
+    seen = json.loads(line)
+    assert "error" not in seen, f"{scenario}:\n{seen['error']}"
+    return seen["answer"]
+
+
+class Host:
+    """A process with an FMU that answers one scenario after the other; ``folder`` is its scratch."""
+
+    def __init__(self, file, folder):
+        self.file, self.folder, self.errors = file, folder, folder / "errors.txt"
+        self.process = None
+        folder.mkdir(exist_ok=True)
+
+    def ask(self, scenario, **arguments):
+        """What the FMU does in a scenario. A process that has ended says why, and is begun anew."""
+        if self.process is None:
+            with open(self.errors, "w") as errors:
+                place = self.folder / f"unpacked {time.monotonic_ns()}"
+                self.process = subprocess.Popen(command(self.file, place), stdin=subprocess.PIPE, text=True,
+                                                stdout=subprocess.PIPE, stderr=errors, encoding="utf-8",
+                                                cwd=self.folder)
+        patience = threading.Timer(600, self.process.kill)
+        patience.start()
+        self.process.stdin.write(question(scenario, arguments))
+        self.process.stdin.flush()
+        line = self.process.stdout.readline()
+        patience.cancel()
+        if not line:
+            self.end()
+            pytest.fail(f"{scenario} ended the process:\n{self.errors.read_text(errors='replace')[-4000:]}")
+        return answer_of(line, scenario)
+
+    def end(self):
+        if self.process:
+            self.process.stdin.close()
+            self.process.wait(timeout=60)
+            self.process.stdout.close()
+            self.process = None
 
 
 def evaluated(inputs, stepper=None):
@@ -50,7 +103,7 @@ def evaluated(inputs, stepper=None):
 def assert_same(found, wanted, tolerance=SAME):
     """Outputs are equal to ``tolerance``, of the value or of its variable's nominal value."""
     for name, value in wanted.items():
-        nominal = VARIABLES[REFERENCE[name]].nominal or 1.0
+        nominal = VARIABLES[PLACE[name]].nominal or 1.0
         assert found[name] == pytest.approx(value, rel=tolerance, abs=tolerance * nominal), name
 
 
@@ -68,11 +121,15 @@ needs_compiler = pytest.mark.skipif(not has_compiler(),
                                     reason="a native FMU is built by a C compiler, and none is here")
 
 
+#: Of FMUs: the Python FMU, and the native ones by version of FMI.
+KINDS = ("python", pytest.param(2, marks=needs_compiler), pytest.param(3, marks=needs_compiler))
+
+
 def session(lines=None, **start):
     """The session that the Python FMU runs, initialised."""
     made = Session(tell=(lambda sentence: None) if lines is None else lines.append)
     for name, value in start.items():
-        (made.set_strings if VARIABLES[REFERENCE[name]].type == STRING
+        (made.set_strings if VARIABLES[PLACE[name]].type == STRING
          else made.set_reals)([REFERENCE[name]], [value])
     made.start()
     return made
@@ -80,7 +137,7 @@ def session(lines=None, **start):
 
 def stepped(made, row):
     """Outputs by name after a step of a session."""
-    switches = {name: value for name, value in row.items() if VARIABLES[REFERENCE[name]].type == BOOLEAN}
+    switches = {name: value for name, value in row.items() if VARIABLES[PLACE[name]].type == BOOLEAN}
     reals = {name: value for name, value in row.items() if name not in switches}
     made.set_booleans([REFERENCE[name] for name in switches], list(switches.values()))
     made.set_reals([REFERENCE[name] for name in reals], list(reals.values()))
@@ -112,15 +169,6 @@ def measured(name, file, step=1e-4):
     file.parent.mkdir(parents=True, exist_ok=True)
     np.savetxt(file, 1e3 * np.column_stack((y, profile.height(y))), fmt="%.6f")
     return file
-
-
-def outputs_of(script, fmu, folder, rows, start=None):
-    """Outputs over rows of inputs, by fmu_process.py or native_process.py in a fresh process."""
-    given = json.dumps({"rows": rows, "names": OUTPUT_NAMES, "start": start or {}})
-    done = subprocess.run([sys.executable, str(HELPERS / script), "trajectory", str(fmu), str(folder)],
-                          input=given, text=True, capture_output=True, encoding="utf-8", timeout=600)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)["seen"]
 
 
 def outline_of_both(values):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tests.helpers.hertz import MODULUS, hertz
-from wrcontact.reference import one_grid
+from data.hertz import MODULUS, hertz
+from wrcontact.halfspace import one_grid
 
 WIDE = (-0.2, 0.2, -0.2, 0.2)
 

@@ -143,7 +143,9 @@ def creation(fmi):
     """Instances that cannot be made, and some that can with odd arguments."""
     refused = {
         "empty name": {"name": b""}, "no name": {"name": None}, "wrong token": {"token": b"{0}"},
-        "no token": {"token": b""}, **({"model exchange": {"kind": 0}} if fmi.version == 2 else {}),
+        "no token": {"token": b""},
+        **({"model exchange": {"kind": 0}} if fmi.version == 2 else {"events": {"events": True},
+                                                                     "intermediate": {"asked": 1}}),
     }
     answers = {name: (fmi.instantiate(**options), fmi.told()) for name, options in refused.items()}
     wanted = run(fmi, fmi.ready())

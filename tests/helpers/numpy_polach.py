@@ -1,17 +1,17 @@
 """Polach's formula of 1999 in numpy, from the paper, with Kalker's printed table of coefficients.
 
 O. Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics Supplement 33 (1999)
-728-739; tests/reference/creep/kalker_cij.json is Kalker's table E3.
+728-739; data/creep/kalker_cij.json is Kalker's table E3.
 """
 
 import json
 
 import numpy as np
 
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
 
 #: C11, C22, C23 by (a < b or a > b, ratio 0.1 ... 1, coefficient, Poisson's ratio 0, 0.25, 0.5).
-KALKER = np.array(json.loads((REFERENCE_DATA / "creep" / "kalker_cij.json").read_text())["table"])
+KALKER = np.array(json.loads((DATA / "creep" / "kalker_cij.json").read_text())["table"])
 
 
 def kalker(a, b, nu):

@@ -229,7 +229,8 @@ def side_force(axis):
 def side_moment(index):
     """Of the patches' forces at their points, about the wheelset's centre, and of their moments of spin."""
     def witness(wheel):
-        yield (pressure_moment(wheel) + creep.side_creep(wheel)[1])[index], EXACT * wheel["normal_force"]
+        yield ((pressure_moment(wheel) + creep.side_creep(wheel)[1])[index],
+               EXACT * wheel["normal_force"] + creep.bowed(wheel))
     return witness
 
 

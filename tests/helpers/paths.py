@@ -6,6 +6,6 @@ HELPERS = Path(__file__).resolve().parent
 TESTS = HELPERS.parent
 ROOT = TESTS.parent
 #: Stored results of other programs, and the programs.
-REFERENCE_DATA = TESTS / "reference"
+DATA = ROOT / "data"
 #: Runs of many poses, with their expected outputs.
-TRAJECTORIES = TESTS / "trajectories"
+TRAJECTORIES = DATA / "trajectories"

@@ -1,4 +1,4 @@
-"""Do the quick tests see an error in the sources?  Plant one, run them, and see which test fails.
+"""Do the tests of `make check` see an error in the sources?  Plant one, run them, and see which test fails.
 
     python -m tests.helpers.plant_errors
         all errors of planted.py; exit code 1 if one is not seen
@@ -6,6 +6,8 @@
         only these
     python -m tests.helpers.plant_errors roll_sign --tests tests/search tests/wheelset/test_forces.py
         and only the tests of these files and folders
+    python -m tests.helpers.plant_errors --full
+        the full tests too
     python -m tests.helpers.plant_errors --list
         names, places and meanings
     python -m tests.helpers.plant_errors --random 20 --seed 1
@@ -42,18 +44,18 @@ from tests.helpers.random_errors import drawn_lines, random_errors
 
 #: Rooms whose tests run before the others: those of the kernel, the short ones first.
 KERNEL_ROOMS = ("interface", "normal", "prepare", "system", "tangent", "contact", "wheelset", "search",
-                "patch", "methods", "profiles", "study", "reference", "reference_theory")
+                "patch", "methods", "profiles", "study", "data", "halfspace")
 #: Tests that report that something has changed and not what is right; this script's own ones
 #: would see every error.
 NO_WITNESS = ("tests/study/test_figures.py::test_documentation_has_today_s_numbers",
               "tests/structure/test_planted_errors.py",
-              "tests/docs/test_nomenclature.py",
+              "tests/docs/test_nomenclature.py", "tests/docs/test_doctests.py",
               "tests/binding/test_native_library.py::test_generated_c_is_of_this_source")
 #: What is no part of a copy. Without conftest.py a copy's tests see the copy's wrcontact,
 #: whatever is installed.
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "venv", "__pycache__", ".*_cache", ".hypothesis", "*.so",
                                     "*.dylib", "*.dll", "build", "dist", "*.egg-info")
-#: The quick tests end within this on a slow machine [s]; an error that keeps them running is seen.
+#: The tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
 
 #: Exit codes of pytest: a wrong call, and no tests.
@@ -89,8 +91,8 @@ def translate_all(trees):
 def compile_tree(tree):
     """Compile the copy's kernel; with less optimising the bits are the same, and the compiler
     is done in half the time."""
-    code = "import kernel_compiler as k; k.compile_library(k.KERNEL, extra_flags=['-O1'])"
-    subprocess.run([sys.executable, "-c", code], cwd=tree / "build_hooks", check=True)
+    subprocess.run([sys.executable, "tools/compile_kernel.py", "--quick"], cwd=tree, check=True,
+                   stdout=subprocess.DEVNULL)
 
 
 def run_tests(tree, tests, *options):
@@ -99,7 +101,8 @@ def run_tests(tree, tests, *options):
                f"--basetemp={tree}.scratch", *options, *tests]
     # not what a test run tells its workers, whose folders are not this run's
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    environment |= {"PYTHONPATH": str(tree), "WRCONTACT_KERNEL": "compiled", "COLUMNS": "1000"}
+    environment |= {"PYTHONPATH": str(tree), "WRCONTACT_KERNEL": "compiled", "COLUMNS": "1000",
+                    "WRCONTACT_TEST_CACHE": str(tree.parent / "kept")}
     run = subprocess.Popen(command, cwd=tree, env=environment, text=True, errors="replace",
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
     try:
@@ -124,12 +127,12 @@ def ordered_tests(tree, first, short):
     return [name for name in names if name not in NO_WITNESS]
 
 
-def examine(error, tree, tests):
+def examine(error, tree, tests, options):
     """Compile the copy with the error in it and run the tests there, up to the first one that fails."""
     compile_tree(tree)
     begin = time.perf_counter()
     left_out = [f"--deselect={name}" for name in NO_WITNESS if "::" in name]
-    code, test = run_tests(tree, tests, "-x", *left_out)
+    code, test = run_tests(tree, tests, "-x", *left_out, *options)
     if code in NO_TESTS:
         raise RuntimeError(f"pytest ended with exit code {code}: it has not run what it was asked for")
     if code is None:
@@ -160,19 +163,19 @@ def copies(errors, folder):
     return plain, trees
 
 
-def plant(errors, workers, tests):
+def plant(errors, workers, tests, options=()):
     """Plant each error in a copy of its own and run there what ``tests`` gives for it; what came of it, and
-    whether the tests that have failed pass without any error."""
+    whether the tests that have failed pass without any error. ``options`` are pytest's."""
     with tempfile.TemporaryDirectory() as folder:
         plain, trees = copies(errors, folder)
         for tree, files in zip([plain, *trees], translate_all([plain, *trees])):
             for name, text in files.items():
                 (tree / "wrcontact" / "kernel" / "generated" / name).write_bytes(text.encode())
         with ThreadPoolExecutor(workers) as pool:
-            outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair)), zip(errors, trees)))
+            outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair), options), zip(errors, trees)))
         compile_tree(plain)
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
-        return outcomes, not seen_by or run_tests(plain, seen_by)[0] == 0
+        return outcomes, not seen_by or run_tests(plain, seen_by, *options)[0] == 0
 
 
 def main(arguments=None):
@@ -183,9 +186,11 @@ def main(arguments=None):
     parser.add_argument("--workers", type=int, default=2,
                         help="copies that are tested at a time (default: 2)")
     parser.add_argument("--short", action="store_true",
-                        help="run the kernel's tests only, not all quick tests")
+                        help="run the kernel's tests only")
+    parser.add_argument("--full", action="store_true",
+                        help="run the full tests too, not only those of 'make check'")
     parser.add_argument("--tests", nargs="+", default=[], metavar="FILE",
-                        help="run only the quick tests of these files and folders")
+                        help="run only the tests of these files and folders")
     parser.add_argument("--random", type=int, default=0, metavar="N",
                         help="plant so many errors at random places instead")
     parser.add_argument("--lines", type=int, default=0, metavar="N",
@@ -210,7 +215,8 @@ def main(arguments=None):
     def tests(error, tree):
         return options.tests or ordered_tests(tree, error.first, options.short)
 
-    outcomes, right = plant(errors, options.workers, tests)
+    chosen = ["-m", "not complete"] if options.full else []
+    outcomes, right = plant(errors, options.workers, tests, chosen)
     seen = sum(outcome.seen for outcome in outcomes)
     print(f"\n{seen} of {len(outcomes)} errors are seen, in {time.perf_counter() - begin:.0f} s")
     if not right:

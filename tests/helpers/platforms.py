@@ -1,6 +1,7 @@
 """What tests of several platforms need, and what a library has to export."""
 
 import importlib.util
+import os
 
 import pytest
 
@@ -13,6 +14,12 @@ KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "
 
 def needs(condition, reason):
     return pytest.mark.skipif(not condition, reason=reason)
+
+
+def needs_importer(module):
+    """One of the extra "importers"; with WRCONTACT_IMPORTERS=all nothing is skipped."""
+    return needs(importlib.util.find_spec(module) or os.environ.get("WRCONTACT_IMPORTERS") == "all",
+                 f"{module} is not installed")
 
 
 needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 
 import wrcontact
-from benchmarks.profile_noise import NAMES, even_points, noisy_points
+from data.noisy_profiles import NAMES, even_points, noisy_points
 from wrcontact import Profile, ProfileWarning
 from wrcontact.profiles import standard_profile
 

@@ -60,7 +60,7 @@ def code_lines(path):
             taken |= set(range(node.lineno, node.end_lineno + 1))
         elif isinstance(node, (ast.If, ast.While)):
             taken.add(node.lineno)
-    empty = re.compile(r"\s*(#|return 0$|[\])}]*,?$)")
+    empty = re.compile(r"\s*(#|return$|[\])}]*,?$)")
     return [(n, text) for n, text in lines if n in taken and not empty.match(text)]
 
 
@@ -91,11 +91,7 @@ def changes(text):
     for function in ast.parse(text).body:
         if not isinstance(function, ast.FunctionDef):
             continue
-        body = function.body
-        if (sum(isinstance(node, ast.Return) for node in ast.walk(function)) == 1
-            and ast.unparse(body[-1]) == "return 0"):
-            body = body[:-1]                                    # nobody reads it
-        nodes = [node for statement in body for node in ast.walk(statement)]
+        nodes = [node for statement in function.body for node in ast.walk(statement)]
         places = {inner for node in nodes if isinstance(node, ast.Subscript)
                   for inner in ast.walk(node.slice)}
         for node in [node for node in nodes if node not in places]:

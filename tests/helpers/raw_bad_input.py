@@ -1,7 +1,7 @@
 """Wrong calls of native_raw.py: values, states, order."""
 
 import math
-from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p, create_string_buffer
+from ctypes import byref, c_bool, c_char_p, c_double, c_int, c_int64, c_size_t, c_void_p, create_string_buffer
 
 from raw_library import INPUTS, NOWHERE, OK, WORK, check_run, run, switch
 
@@ -52,6 +52,12 @@ def bad_input(fmi):
         cases |= {
             "too few values": lambda: fmi.values(get, c, [reference["left.station"]], (c_double * 40)(), 30),
             "too many values": lambda: fmi.values(get, c, [reference["left.station"]], (c_double * 40)(), 40),
+            "reference zero": lambda: fmi.values(get, c, [0], one),
+            "time as Int32": lambda: fmi.values("GetInt32", c, [reference["time"]], whole),
+            "time set": lambda: fmi.values(put, c, [reference["time"]], one),
+            "Boolean set": lambda: fmi.values("SetBoolean", c, [reference["time"]], (c_bool * 1)(True)),
+            "another type": lambda: fmi.values("GetInt64", c, [reference["status"]], (c_int64 * 1)()),
+            "configuration": lambda: fmi.plain("EnterConfigurationMode", c),
             "no values": lambda: fmi.values(get, c, [reference["lateral_shift"]], one, 0),
             "values without references": lambda: fmi.values(put, c, [], one, 1),
             "two texts": lambda: fmi.values("GetString", c, [reference["load"]], (c_char_p * 2)(), 2),

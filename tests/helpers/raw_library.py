@@ -50,7 +50,8 @@ class Library:
                          else c_int)
         return found
 
-    def instantiate(self, name=b"instance", token=None, resources=None, logging=True, kind=1, callbacks=True):
+    def instantiate(self, name=b"instance", token=None, resources=None, logging=True, kind=1, callbacks=True,
+                    events=False, asked=0):
         """A component, or None."""
         token = self.token.encode() if token is None else token or None
         if self.version == 2:
@@ -58,8 +59,8 @@ class Library:
                                                 byref(self.callbacks) if callbacks else None, c_int(0),
                                                 c_int(logging))
         return self.function("InstantiateCoSimulation")(
-            name, token, resources, c_bool(False), c_bool(logging), c_bool(False), c_bool(False), None,
-            c_size_t(0), None, self.note if callbacks else None, None)
+            name, token, resources, c_bool(False), c_bool(logging), c_bool(events), c_bool(False),
+            (c_uint32 * 1)(1), c_size_t(asked), None, self.note if callbacks else None, None)
 
     def enter(self, c, start=0.0, stop=None):
         experiment = c_double(start), c_int(stop is not None), c_double(stop or 0.0)

@@ -6,6 +6,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import wrcontact
+from tests.helpers.inside import workspace_of
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import curves, planes, separation, traces
 from wrcontact.methods import NUMBERS
@@ -13,6 +14,10 @@ from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
 PLACES = {"tread": 1e-3, "root": 6e-3, "flange": 6.5e-3}
 YAWS = {"no_yaw": 0.0, "yaw": 0.03, "yaw_back": -0.02}
+#: One yaw at each place; the full tests have all.
+SHARE_OF_PLACES = pytest.mark.parametrize("shift, yaw", [
+    pytest.param(shift, yaw, id=f"{place}-{turned}", marks=[pytest.mark.full] * (k != m))
+    for k, (place, shift) in enumerate(PLACES.items()) for m, (turned, yaw) in enumerate(YAWS.items())])
 EVERY_PLACE = pytest.mark.parametrize("shift, yaw", [pytest.param(shift, yaw, id=f"{place}-{turned}")
                                                      for place, shift in PLACES.items()
                                                      for turned, yaw in YAWS.items()])
@@ -119,7 +124,7 @@ class Contact:
         stepper.inputs[:4] = shift, yaw, 0.0, force
         assert stepper.step() == 0
         self.state = self.system.evaluate(shift, yaw, force)
-        self.tables, self.memory, self.work = stepper._tables, stepper.state, stepper._workspace
+        self.tables, self.memory, self.work = stepper.tables, stepper.state, workspace_of(stepper)
         wheel, rail, end = (int(self.tables[at])
                             for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
         self.rail = Curve(self.tables[rail:end])

@@ -3,7 +3,7 @@ tests, slow in no place.
 
 It knows nothing of where a contact can lie. A wheel is cut into circles STATION apart. On each of them the
 gap to the rail is convex, since a disc and a rail's head are, so Newton's method finds its smallest value;
-the least along the profile are then refined. Frames and profiles are those of tests/reference/brute_force.py,
+the least along the profile are then refined. Frames and profiles are those of data/brute_force.py,
 and no code is the product's.
 """
 
@@ -11,7 +11,7 @@ from math import atan
 
 import numpy as np
 
-from tests.reference import brute_force
+from data import brute_force
 
 STATION = 0.5e-3      # [m]
 TABLE = 2e-6          # [m] of the rail's table of heights

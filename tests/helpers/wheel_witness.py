@@ -1,7 +1,7 @@
 """What the outputs of one wheel have to be: from the printed profiles by brute force, and from a half-space.
 
-Geometry is that of tests/reference/brute_force.py and of the dense overlap search, normal contact that of
-tests/reference/halfspace_reference.py or Hertz's by scipy.  No code is the product's, and no output is read
+Geometry is that of data/brute_force.py and of the dense overlap search, normal contact that of
+data/halfspace_reference.py or Hertz's by scipy.  No code is the product's, and no output is read
 but through :attr:`WheelWitness.values`: the height and the roll of the wheelset, whose witnesses are the gaps
 at them, the loads and places of patches where a question is asked about one, and the wheel's load.
 """
@@ -14,10 +14,10 @@ from types import SimpleNamespace
 import numpy as np
 from scipy import ndimage
 
-from tests.helpers.hertz import hertz
+from data import brute_force, halfspace_reference
+from data.brute_force import Pose
+from data.hertz import hertz
 from tests.helpers.overlap import deepest, overlap
-from tests.reference import brute_force, halfspace_reference
-from tests.reference.brute_force import Pose
 
 SIGNS = {"left": -1, "right": 1}
 #: Angle between normals from which on one half-space does not hold two patches [rad].

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.inside import tables_of
 from wrcontact import state
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
@@ -22,7 +23,7 @@ def names(record):
 
 def test_records_have_a_field_for_every_row_in_order():
     assert names(layout.Inputs) == [row.field for row in INPUTS]
-    assert names(layout.Patch) == [row.field for row in PATCH]
+    assert names(layout.PatchOutputs) == [row.field for row in PATCH]
     assert names(layout.SideOutputs) == [row.name if isinstance(row, Blocks) else row.field for row in SIDE]
     assert names(layout.Outputs)[:-1] == [row.field for row in WHEELSET]
     assert names(layout.Parameters) == list(KERNEL_PARAMETERS)
@@ -75,7 +76,7 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
 
 def test_every_parameter_reaches_the_kernel():
     system = wrcontact.ContactSystem(gauge=1.437, poisson_ratio=0.3, stations=7, load="vertical")
-    found = dict(zip(KERNEL_PARAMETERS, system._tables[layout.SET_PARAMETERS:]))
+    found = dict(zip(KERNEL_PARAMETERS, tables_of(system)[layout.SET_PARAMETERS:]))
     expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL,
                 "tolerance": 0.01}
     assert {name: found[name] for name in expected} == expected

@@ -36,7 +36,7 @@ def test_free_wheelset_finds_the_rolling_line(archives, curvature):
     assert run["lateral_shift"].mean() == pytest.approx(line, rel=0.05)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_steady_state_on_the_flange(archives):
     """The run through the transition ends where Python, without an FMU or a run, finds all accelerations
     zero; the outer wheel touches with its flange root and pushes the rail outwards."""

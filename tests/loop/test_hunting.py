@@ -1,38 +1,22 @@
 """Hunting of the closed loop: Klingel's wave, and linear theory from Kalker's coefficients."""
 
-import numpy as np
 import pytest
 
+from data import hunting_theory as theory
 from examples.hunting_wheelset.coupling import CONES, Loop
 from examples.hunting_wheelset.hunting import KLINGEL, SOFT, SUSPENSION, cycle, elastic, growth, klingel
-from examples.hunting_wheelset.stability import Linear
-from tests.helpers import hunting_theory as theory
-
-#: Kalker's table with Hertz's patch; friction far from its limit, so that creep forces are linear.
-LINEAR = CONES | {"normal_model": "hertz", "contact_damping": 0.0}
-FRICTION = 2.0
-#: Kalker (1990), table E3, at nu 0.28 and a/b 1.330: C11, C22, C23, by parabolas in nu and linear in b/a;
-#: C33 by CONTACT for a/b = 1, which hardly counts.
-COEFFICIENTS = (4.555, 4.145, 1.870, 1.14)
-
-
-def theory_of_cones():
-    """The same wheelset in the theory, with the rail where the package's gauge puts it."""
-    touched = elastic(CONES).evaluate(0.0).right.contact.y_track
-    across = 2 * SUSPENSION["lateral_stiffness"]
-    return theory.Wheelset(slope=0.05, rail_y=touched + 0.3 * np.sin(np.arctan(0.05)),
-                           coefficients=COEFFICIENTS,
-                           springs=(across, 0.0, 0.0, 2 * SUSPENSION["longitudinal_stiffness"]))
+from examples.hunting_wheelset.stability import LINEAR, LINEAR_FRICTION, Linear
 
 
 @pytest.fixture(scope="module")
 def model():
-    return theory_of_cones()
+    touched = elastic(CONES).evaluate(0.0).right.contact.y_track
+    return theory.cones(touched, SUSPENSION)
 
 
 @pytest.fixture(scope="module")
 def linear(archives):
-    with Linear(archives, SUSPENSION, LINEAR, FRICTION) as found:
+    with Linear(archives, SUSPENSION, LINEAR, LINEAR_FRICTION) as found:
         yield found
 
 
@@ -52,7 +36,7 @@ def test_klingel_on_cones(archives):
     assert amplitude == pytest.approx(start, rel=0.05)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_klingel_of_archives(archives):
     """Three millimetres: the conicity changes with the amplitude, which changes along the run."""
     wave, _, rolled, _, run = klingel(archives, *KLINGEL["S1002"])
@@ -79,14 +63,14 @@ def test_a_run_grows_as_the_eigenvalue_says(archives, linear):
     growth by less than 1 %."""
     speed = 80.0
     start = SUSPENSION | {"frame_speed": speed, "start_lateral_shift": 2e-5}
-    with Loop(archives, start, LINEAR, FRICTION) as loop:
+    with Loop(archives, start, LINEAR, LINEAR_FRICTION) as loop:
         loop.run(0.1, 5e-4, derivatives=True)
         run = loop.run(0.6, 5e-4, derivatives=True)
     assert run.worst_status == 0
     assert growth(run) == pytest.approx(linear.root(speed).real, rel=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("start", [0.3e-3, 5e-3], ids=["small", "large"])
 def test_limit_cycle(archives, start):
     """Beyond the critical speed of S1002 (40 m/s) a small and a large swing end in the same cycle between

@@ -6,8 +6,7 @@ import pytest
 from examples.hunting_wheelset.long_run import hunt, report
 
 
-@pytest.mark.parametrize("steps", [20_000, pytest.param(1_000_000, marks=[pytest.mark.slow,
-                                                                          pytest.mark.complete])])
+@pytest.mark.parametrize("steps", [20_000, pytest.param(1_000_000, marks=pytest.mark.complete)])
 def test_no_status(archives, steps):
     """The wheels never leave the rails, nor does the contact fail; the real-time factor is printed."""
     run = hunt(archives, steps)

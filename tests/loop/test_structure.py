@@ -10,8 +10,8 @@ from fmpy import read_model_description
 from fmpy.ssp.ssd import read_ssd
 
 from examples.hunting_wheelset.structure import EXAMPLE, settings, write_ssp
-from tests.fmu.test_importers import needs
 from tests.helpers.paths import ROOT
+from tests.helpers.platforms import needs_importer
 
 #: In a process of its own, which libcosim may end.
 PROGRAM = """
@@ -45,7 +45,7 @@ def test_description(archives, tmp_path):
         assert variables[connection.endElement][connection.endConnector] == "input"
 
 
-@needs("libcosimpy")
+@needs_importer("libcosimpy")
 def test_libcosim(archives, tmp_path):
     """2000 steps by libcosim and by fmpy in the same order; both compute with the same libraries, so that no
     more than rounding differs."""

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.inside import tables_of
 from wrcontact import (
     Adaptive,
     Analyn,
@@ -28,9 +29,9 @@ from wrcontact import (
     Wheelset,
 )
 from wrcontact.interface.parameters import GROUPS, KERNEL_PARAMETERS, PARAMETERS
-from wrcontact.interface.variables import REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, VARIABLES
 from wrcontact.kernel import layout
-from wrcontact.methods import CHOICES, FAMILIES, NUMBERS
+from wrcontact.methods import CHOICES, FAMILIES, NUMBERS, NormalModel
 
 PAIRS = [
     ({"normal_model": Analyn(tolerance=0.004)}, {"normal_model": "analyn", "tolerance": 0.004}),
@@ -67,11 +68,11 @@ PAIRS = [
 @pytest.mark.parametrize("objects, keywords", PAIRS)
 def test_objects_and_keywords_give_the_same_system(objects, keywords):
     one, other = wrcontact.ContactSystem(**objects), wrcontact.ContactSystem(**keywords)
-    np.testing.assert_array_equal(one._tables, other._tables)
+    np.testing.assert_array_equal(tables_of(one), tables_of(other))
     assert one.parameters == other.parameters and one.methods == other.methods and repr(one) == repr(other)
     again = pickle.loads(pickle.dumps(one))
     assert again.parameters == one.parameters and again.methods == one.methods
-    np.testing.assert_array_equal(again._tables, one._tables)
+    np.testing.assert_array_equal(tables_of(again), tables_of(one))
 
 
 @pytest.mark.parametrize(
@@ -168,15 +169,53 @@ def test_the_kernel_has_the_number_of_every_method():
     for parameter, numbers in NUMBERS.items():
         for name, number in numbers.items():
             system = wrcontact.ContactSystem(**{parameter: name})
-            assert system._tables[layout.SET_PARAMETERS + KERNEL_PARAMETERS.index(parameter)] == number
+            assert tables_of(system)[layout.SET_PARAMETERS + KERNEL_PARAMETERS.index(parameter)] == number
 
 
 def test_an_fmu_offers_what_its_table_says():
     for family in FAMILIES:
-        variable = VARIABLES[REFERENCE[family.parameter]]
+        variable = VARIABLES[PLACE[family.parameter]]
         assert variable.choices == CHOICES[family.parameter] and variable.start == family.default
         assert all(
             f"{method.name} = {method.words}" in variable.meaning
             for method in family.methods
             if not method.python_only
         )
+
+
+#: Names by number, as they are in FMUs and saved states in users' hands: only appended to.
+RELEASED = {
+    "contact_mode": ("rigid", "elastic", "compliant"),
+    "load": ("normal", "vertical"),
+    "normal_model": ("hertz", "analyn", "analyn_strip"),
+    "separation": ("normal", "vertical", "equidistant", "equidistant_chord"),
+    "longitudinal_curvature": ("effective", "basic"),
+    "lateral_curvature": ("adaptive", "smooth", "rough"),
+    "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
+}
+
+
+def test_numbers_of_methods_never_move():
+    for parameter, names in RELEASED.items():
+        assert [NUMBERS[parameter][name] for name in names] == list(range(len(names)))
+    assert list(RELEASED) == [family.parameter for family in FAMILIES]
+
+
+def test_a_method_registers_itself(monkeypatch):
+    family = NormalModel.family
+    monkeypatch.setattr(family, "methods", family.methods)
+    number = max(one.kernel_number for one in family.methods) + 1
+
+    class Own(NormalModel):
+        name, kernel_number, words = "own", number, "a model of one's own"
+
+    assert family.method("own") is Own and family.names(python=False)[-1] == "own"
+    for name, taken in (("own", number + 1), ("other", 0)):
+        with pytest.raises(TypeError, match="two methods of normal_model"):
+            type("Other", (NormalModel,), {"name": name, "kernel_number": taken, "words": ""})
+
+
+def test_every_method_is_a_name_of_the_package():
+    for family in FAMILIES:
+        assert all(getattr(wrcontact, method.__name__) is method for method in family.methods)
+        assert {method.__name__ for method in family.methods} <= set(wrcontact.__all__)

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.inside import tables_of
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
 from wrcontact.methods import Analyn, Resolution, Strip, family_of
-from wrcontact.methods.normal_model import DEFAULT
+from wrcontact.methods.normal import DEFAULT
 from wrcontact.simulation.session import Refused, Session
 
 NAMES = ("penetration", "area", "max_pressure")
@@ -21,7 +22,7 @@ FINEST_COUNTS = {"analyn": dict(nodes=38), "analyn_strip": dict(nodes=38, strips
 
 
 def random_poses(count, seed):
-    """Lateral shift, yaw, force (count,): as wrcontact/methods/normal_model.py describes them."""
+    """Lateral shift, yaw, force (count,): as wrcontact/methods/normal.py describes them."""
     rng = np.random.default_rng(seed)
     return (rng.uniform(-6.6e-3, 6.6e-3, count),
             np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
@@ -55,7 +56,7 @@ def test_tolerance_is_kept_by_95_of_100(model, tolerance):
     assert (error.max(axis=0) <= tolerance).mean() >= 0.91      # all three at once: 0.94 to 0.96
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("model, tolerance", RUNGS)
 def test_tolerance_is_kept_by_95_of_100_of_very_many(model, tolerance):
     found = numbers(wrcontact.ContactSystem(normal_model=model, tolerance=tolerance), random_poses(10000, 52))
@@ -112,7 +113,7 @@ def test_counts_take_the_place_of_single_numbers():
 
 
 def test_resolution_reaches_the_kernel():
-    tables = wrcontact.ContactSystem(normal_model="analyn_strip", nodes=20, strips=40, sweeps=3)._tables
+    tables = tables_of(wrcontact.ContactSystem(normal_model="analyn_strip", nodes=20, strips=40, sweeps=3))
     places = [layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]
     assert tables[places].tolist() == [20, 1, 40, 3]
 

@@ -8,11 +8,11 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import system
+from tests.helpers.inside import work_of
 from tests.helpers.motion import creepages
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
 from wrcontact.interface.motion import MOTION as MOTION_INPUTS
 from wrcontact.interface.rails import RAILS
-from wrcontact.kernel.layout import Work
 
 RADIUS = 0.46
 MODELS = ("hertz", "analyn", "analyn_strip")
@@ -24,7 +24,7 @@ POSES = [(1e-3, 0.0), (-3e-3, 0.004), (5.2e-3, -0.01), (7e-3, 0.035), (-6.5e-3, 
 
 def rates(stepper):
     """Vertical velocity and rotation without that about the axle of the last step."""
-    motion = Work.at(stepper._workspace).motion
+    motion = work_of(stepper).sides[1].motion
     return motion.vertical, np.array([motion.turn_x, motion.turn_y, motion.turn_z])
 
 
@@ -158,7 +158,7 @@ def test_not_a_number_is_refused(row):
 
 
 def manchester():
-    with open(REFERENCE_DATA / "manchester_a22_creepages.csv", newline="", encoding="utf-8") as file:
+    with open(DATA / "manchester_a22_creepages.csv", newline="", encoding="utf-8") as file:
         return [{key: text if key == "side" else float(text) for key, text in row.items()}
                 for row in csv.DictReader(file)]
 

@@ -4,38 +4,13 @@ import numpy as np
 import pytest
 
 from tests.helpers.cases import system
-from wrcontact.interface.motion import MOTION
-
-SIGNS = {"lateral_velocity": -1, "yaw_rate": -1, "roll_rate": -1, "track_curvature": -1}
-
-
-def motions(count, rng):
-    """Velocities of all sizes up to the limits, of either sign, a third of them zero."""
-    given = {}
-    for row in MOTION:
-        sizes = row.maximum * 10.0 ** rng.uniform(-12, 0, count) * rng.choice([-1.0, 0.0, 1.0], count)
-        given[row.keyword] = (sizes != 0.0).astype(float) if row.switch else sizes
-    return given
-
-
-def mirrored(motion):
-    """The motion in the mirror along the track; rails change places."""
-    found = {}
-    for name, values in motion.items():
-        other = name.replace("left", "?").replace("right", "left").replace("?", "right")
-        sign = SIGNS.get(name, -1 if name.endswith(("lateral_velocity", "roll_velocity")) else 1)
-        found[other] = sign * values
-    return found
-
-
-def creepages(side):
-    return np.array([[patch.creepage.x, patch.creepage.y, patch.creepage.spin] for patch in side.patches])
+from tests.helpers.moving_fuzz import creepages, mirrored_motion, motions
 
 
 @pytest.mark.parametrize("mode, count", [
-    ("rigid", 2000), ("compliant", 2000), pytest.param("rigid", 100_000, marks=pytest.mark.slow),
-    pytest.param("compliant", 100_000, marks=pytest.mark.slow),
-    pytest.param("elastic", 20_000, marks=pytest.mark.slow)])
+    ("rigid", 2000), ("compliant", 2000), pytest.param("rigid", 100_000, marks=pytest.mark.full),
+    pytest.param("compliant", 100_000, marks=pytest.mark.full),
+    pytest.param("elastic", 20_000, marks=pytest.mark.full)])
 def test_random_motions(mode, count):
     rng = np.random.default_rng(17)
     pose = dict(lateral_shift=rng.uniform(-8e-3, 8e-3, count),
@@ -50,7 +25,7 @@ def test_random_motions(mode, count):
     one, motion = system(contact_mode=mode, normal_model="hertz", **more), motions(count, rng)
     here = one.evaluate_many(**pose, **motion)
     there = one.evaluate_many(**{name: signs.get(name, 1) * values for name, values in pose.items()},
-                              **mirrored(motion))
+                              **mirrored_motion(motion))
     np.testing.assert_array_equal(here.status, there.status)
     valid = here.status <= 1
     assert valid.mean() > 0.9 and np.isfinite(here.values[valid]).all()

@@ -6,86 +6,21 @@ import pytest
 
 import wrcontact
 from tests.helpers.contact_fuzz import amounts
-from tests.helpers.fuzzing import INCLINATIONS, log_uniform
-from tests.helpers.fuzzing import RAILS as RAIL_PROFILES
-from tests.motion.test_fuzz import creepages, motions
-from tests.motion.test_fuzz import mirrored as mirrored_motion
-from wrcontact.interface.rails import RAILS
+from tests.helpers.moving_fuzz import (
+    LOADS,
+    MODES,
+    SIDES,
+    TURNED,
+    assert_none,
+    creepages,
+    draw_poses,
+    draw_wheelset,
+    mirrored,
+)
 from wrcontact.status import Status
 
-SIDES = ("left", "right")
-MODES = ("rigid", "elastic", "compliant")
-MODELS = ("hertz", "analyn", "analyn_strip")
-#: Inputs of the pose that change their sign in the mirror.
-TURNED = ("lateral_shift", "yaw", "load_transfer", "roll_input")
-#: [N] lighter wheels sink in by less than a contact's place, known to 1e-12 m, tells of their patches
-LOADS = (1e3, 2e5)
 #: What a wheel has that is not negative.
 SIZES = ("normal_force", "area", "max_pressure", "patch_length", "patch_width")
-
-
-def draw_wheelset(rng, mode):
-    """Arguments of ContactSystem; pairs are (left, right)."""
-    radius = rng.uniform(0.4, 0.52)
-    pairs = dict(
-        wheel=rng.choice(("S1002", "S1002", "S1002", "cone20", "cone40"), 2),
-        rail=rng.choice(RAIL_PROFILES, 2),
-        nominal_radius=radius + rng.uniform(-1e-3, 1e-3, 2),
-        rail_inclination=rng.choice(INCLINATIONS, 2),
-    )
-    found = {name: tuple(values.tolist()) for name, values in pairs.items()}
-    found |= dict(contact_mode=mode, normal_model=str(rng.choice(MODELS)),
-                  gauge=float(rng.uniform(1.43, 1.44)))
-    if mode == "compliant":
-        found["contact_damping"] = float(rng.choice((0.0, 0.3)))
-    return found
-
-
-def draw_poses(rng, wheelset, count):
-    """Inputs (count,) by name: poses and loads, a third of the rails in their nominal place; motions."""
-    yaw = rng.uniform(-0.03, 0.03, count) * (rng.random(count) < 0.7)
-    transfer = rng.uniform(-0.9, 0.9, count) * (rng.random(count) < 0.5)
-    given = dict(lateral_shift=rng.uniform(-7e-3, 7e-3, count), yaw=yaw,
-                 normal_force=log_uniform(rng, *LOADS, count), load_transfer=transfer)
-    far = np.where(rng.random(count) < 0.02, 10.0, 1.0)     # now and then beyond all that is permitted
-    moved = {row.keyword: rng.uniform(-1, 1, count) * (0.03 if row.unit == "rad" else 3e-3)
-             * (rng.random(count) < 0.67) * far for row in RAILS}
-    if wheelset["contact_mode"] == "compliant":
-        stand = wrcontact.ContactSystem(**{**wheelset, "contact_mode": "rigid", "normal_model": "hertz",
-                                           "contact_damping": 0.0})
-        table = stand.evaluate_many(given["lateral_shift"], given["yaw"], outputs="geometry", **moved)
-        sink = rng.choice((-1, 1, 1, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
-        tilt = rng.choice((-1, 0, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
-        given["vertical_shift_input"] = np.nan_to_num(table.vertical_shift) + sink
-        given["roll_input"] = np.nan_to_num(table.roll) + tilt
-    return {**given, **moved, **motions(count, rng)}
-
-
-def mirrored(wheelset, given):
-    """The same in the mirror along the track: sides are exchanged, and what is across the track turns."""
-    motion = mirrored_motion({name: given[name] for name in motions(1, np.random.default_rng(0))})
-    found = {name: (-1 if name in TURNED else 1) * values for name, values in given.items()
-             if name not in motion}
-    for row in RAILS:
-        side, part = row.keyword.split("_", 1)
-        found[row.keyword] = (1 if part == "rail_vertical" else -1) * given[
-            f"{SIDES[1 - SIDES.index(side)]}_{part}"]
-    other = {name: values[::-1] if isinstance(values, tuple) else values for name, values in wheelset.items()}
-    return other, {**found, **motion}
-
-
-def line(wheelset, given, row):
-    """A line of Python that evaluates this pose."""
-    wheels = ", ".join(f"{name}={value!r}" for name, value in wheelset.items())
-    pose = ", ".join(f"{name}={float(values[row])!r}" for name, values in given.items() if values[row] != 0.0)
-    return f"ContactSystem({wheels}).evaluate({pose})"
-
-
-def assert_none(bad, wheelset, given, what, measure=None):
-    if np.any(bad):
-        row = int(np.flatnonzero(bad)[0])
-        found = "" if measure is None else f" {measure[row]:.3g}"
-        pytest.fail(f"{what}{found}, {np.count_nonzero(bad)} of {len(bad)}: {line(wheelset, given, row)}")
 
 
 def vectors(of, name):

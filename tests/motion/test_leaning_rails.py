@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from tests.helpers.cases import system
+from tests.helpers.inside import work_of
 from wrcontact.interface.inputs import INPUTS
-from wrcontact.kernel.layout import Work
 from wrcontact.status import Status
 
 SIDES = dict(wheel=("S1002", "cone40"), rail=("54E1", "UIC60"), nominal_radius=(0.459, 0.46))
@@ -36,7 +36,7 @@ def derived(stepper, given, motion):
     """Status, vertical velocity [m/s] and roll rate [rad/s] that the wheelset has."""
     keys = {"normal_force": 80e3, "speed": 20.0, **given, **motion}
     stepper.inputs[:] = [keys.get(row.keyword, row.start) for row in INPUTS]
-    status, motion = stepper.step(), Work.at(stepper._workspace).motion
+    status, motion = stepper.step(), work_of(stepper).sides[1].motion
     yaw = given["yaw"]
     return status, np.array([motion.vertical, motion.turn_x * math.cos(yaw) + motion.turn_y * math.sin(yaw)])
 
@@ -65,8 +65,8 @@ ALONE = {"lateral_velocity": 1.0, "left_rail_lateral_velocity": 1.0, "right_rail
 
 
 @pytest.mark.parametrize("model, count", [
-    ("hertz", 20), ("analyn", 20), pytest.param("hertz", 1000, marks=pytest.mark.slow),
-    pytest.param("analyn", 1000, marks=pytest.mark.slow)])
+    ("hertz", 20), ("analyn", 20), pytest.param("hertz", 1000, marks=pytest.mark.full),
+    pytest.param("analyn", 1000, marks=pytest.mark.full)])
 def test_an_elastic_wheelset_follows_its_rails_but_for_its_depth(model, count):
     """Its depth under its load changes where patches change their shape, and the rates leave this out: little
     mostly, but much where a contact passes from one place of the wheel to another. The figures are those of

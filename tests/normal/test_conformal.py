@@ -1,5 +1,5 @@
 """Strips and ANALYN on patches that turn, against the complete theory on a curved reference
-(tests/reference/conformal.csv), and the same patch in every mode."""
+(data/conformal.csv), and the same patch in every mode."""
 
 import csv
 import math
@@ -7,12 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from tests.helpers.paths import TESTS
+from tests.helpers.paths import DATA
 from tests.helpers.strips import random_poses, system_of
 from wrcontact import Status
 from wrcontact.kernel import layout
 
-with open(TESTS / "reference" / "conformal.csv", newline="") as file:
+with open(DATA / "conformal.csv", newline="") as file:
     ROWS = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
 
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data.hertz import MODULUS, hertz
 from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
-from tests.helpers.hertz import MODULUS, hertz
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
@@ -17,7 +17,7 @@ from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
 from wrcontact.kernel.normal.node_coefficients import FLOOR
 from wrcontact.kernel.normal.node_patches import fill_from_nodes
 from wrcontact.kernel.patch.outline import write_outline
-from wrcontact.kernel.patch.totals import write_patches
+from wrcontact.kernel.wheelset.report import report_load, report_outline
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
@@ -45,25 +45,25 @@ def test_hertz_stiffness(A, B):
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
-    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved
-    patches, outputs of the side."""
+    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], side,
+    strips and outputs of the side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
     found, satisfied = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, state, 1,
                                                  force, 0.7 * penetration, 0)
     assert satisfied == 1
-    fill_from_nodes(work.contact.regions, work.contact.nodes, work.contact.solved, 1)
-    side = work.outputs.left[0]
-    write_patches(work.contact.solved, side)
-    outline = layout.Outline.at(work, layout.offset(side.station, work))
-    write_outline(outline, layout.STATION_COUNT, work.contact.solved, work.contact.regions, 1)
-    return found, work.contact.solved, side
+    side, out = work.sides[1], work.outputs.left[1]
+    fill_from_nodes(work.contact, side, 1)
+    write_outline(side.outline, layout.STATION_COUNT, side, work.contact.strips, work.contact.regions, 1)
+    report_load(side, out, 1.0)
+    report_outline(side, layout.Outline.at(work, layout.offset(out.station, work)), layout.STATION_COUNT, 0)
+    return found, side, work.contact.strips, out
 
 
 @pytest.mark.parametrize("A, B", CURVATURES)
 @pytest.mark.parametrize("force", [1.0, 78.5e3])
 def test_analyn_on_constant_curvatures_is_hertz(A, B, force):
     penetration, a, b, pressure = hertz(A, B, force)
-    found, solved, side = solve_constant_curvatures(A, B, force)
+    found, _, _, side = solve_constant_curvatures(A, B, force)
     assert found == pytest.approx(penetration, rel=1e-9)
     assert side.area == pytest.approx(np.pi * a * b, rel=1e-9)
     assert side.max_pressure == pytest.approx(pressure, rel=1e-9)
@@ -79,12 +79,12 @@ def test_analyn_on_constant_curvatures_is_hertz(A, B, force):
 @pytest.mark.parametrize("A, B", CURVATURES)
 def test_strips_of_a_solved_patch_are_slices_of_hertz_s_ellipse(A, B):
     _, a, b, pressure = hertz(A, B, 78.5e3)
-    solved = solve_constant_curvatures(A, B, 78.5e3)[1]
-    assert solved.count == 1
-    patch = solved.patches[0]
+    _, side, strips, _ = solve_constant_curvatures(A, B, 78.5e3)
+    assert side.patch_count == 1
+    patch = side.patches[0]
     assert (patch.rank, patch.rule) == (1, layout.RULE_QUADRATIC)
     assert (patch.totals.start, patch.totals.stop) == pytest.approx((-b, b), rel=1e-9)
-    strips = np.ctypeslib.as_array(solved.strips)[patch.first:patch.last + 1]
+    strips = np.ctypeslib.as_array(strips)[patch.first:patch.last + 1]
     assert strips["width"].sum() == pytest.approx(patch.totals.width, rel=1e-12)
     inside = strips[strips["width"] > 0.0]
     share = 1 - (inside["station"] / b) ** 2
@@ -148,7 +148,7 @@ def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. Its contact plane is the
     load-weighted one; at 5 and 6 mm that is 0.09 and 0.02 rad away from the rigid one, which turns the
     approach by 0.4 % at most."""
-    with open(REFERENCE_DATA / "contact_full.csv", newline="") as file:
+    with open(DATA / "contact_full.csv", newline="") as file:
         finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in csv.DictReader(file)}
     system = wrcontact.ContactSystem(normal_model=model)
     compared = []

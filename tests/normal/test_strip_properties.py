@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.hertz import hertz
+from data.hertz import hertz
+from tests.helpers.inside import workspace_of
 from tests.helpers.strips import EXTENT, NAMES, POSE, errors, random_poses, step_all, system_of
 from wrcontact import Status
 from wrcontact.kernel import layout
@@ -31,7 +32,7 @@ def test_nothing_is_read_from_the_workspace_that_was_not_written(model, poison):
     rows[::10, layout.IN_NORMAL_FORCE] = 0.0
     clean = step_all(system_of(model).stepper(), rows)
     poisoned = step_all(system_of(model).stepper(), rows,
-                        before=lambda stepper: POISONS[poison](stepper._workspace))
+                        before=lambda stepper: POISONS[poison](workspace_of(stepper)))
     assert np.all(np.isfinite(clean))
     np.testing.assert_array_equal(poisoned.view(np.int64), clean.view(np.int64))
 

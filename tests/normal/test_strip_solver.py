@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import quad
 
 import wrcontact
+from data.hertz import hertz
 from tests.helpers.constant_curvatures import lay_constant_curvatures
-from tests.helpers.hertz import hertz
 from tests.helpers.strips import errors
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import hertz_table
@@ -98,7 +98,7 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
     """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in
     penetration, area and pressure (3,)."""
     tables, work, state, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
-    contact = work.contact
+    contact, side = work.contact, work.sides[1]
     contact.frame.plane.cos, contact.frame.sunk, contact.filling = 1.0, True, True
     contact.regions[0].curvature = 2.0 * A
     problem = contact.strip_problem
@@ -119,9 +119,9 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
         assert found == 1
         penetration, found = strips.second_layout(tables, contact, state, 1, force, 0)
         assert found == 1
-    fill_from_strips(tables, contact, 1)
+    fill_from_strips(tables, contact, side, 1)
     exact, a, b, pressure = hertz(A, B, force)
-    totals = contact.solved.totals
+    totals = side.totals
     assert totals.load == pytest.approx(force, rel=1e-12)
     return np.array([penetration / exact, totals.area / (math.pi * a * b),
                      totals.max_pressure / pressure]) - 1

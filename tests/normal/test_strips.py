@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data.hertz import MODULUS
 from tests.helpers.cases import planar_cases
-from tests.helpers.hertz import MODULUS
 from tests.helpers.strips import POSE, errors, random_poses, system_of
 from wrcontact import Status
 from wrcontact.kernel import layout
@@ -28,7 +28,7 @@ def errors_at(model, shifts):
                      for shift in shifts])
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("model, worst",
                          [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.034))])
 def test_half_space_where_a_region_appears(model, worst):
@@ -96,21 +96,20 @@ def assert_near_the_half_space(found, near, where, worst, worst_near_jump):
             assert np.all(error[row] <= limit), (found[row].round(4), where[row])
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_half_space_on_random_poses():
     """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them yawed."""
     assert_near_the_half_space(*compare_on_random_poses(24, 31), worst=(0.02, 0.06, 0.06),
                                worst_near_jump=(0.03, 0.10, 0.35))
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 def test_half_space_on_more_random_poses():
     assert_near_the_half_space(*compare_on_random_poses(150, 32), worst=(0.02, 0.06, 0.06),
                                worst_near_jump=(0.03, 0.10, 0.35))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_half_space_of_another_material():
     """Aluminium: patches are larger under the same force."""
     found, near, where = compare_on_random_poses(18, 33, youngs_modulus=70e9, poisson_ratio=0.33)

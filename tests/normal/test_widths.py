@@ -7,10 +7,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from data import brute_force
 from tests.helpers.cases import FORCE, system
+from tests.helpers.inside import work_of
 from tests.helpers.overlap import overlap
-from tests.reference import brute_force
-from wrcontact.kernel import layout
 
 
 def ridge(track, pose, abscissa):
@@ -38,7 +38,7 @@ def test_the_ridge_of_a_yawed_wheel_s_patch_is_as_oblique_as_its_gap(shift, yaw)
     stepper = system().stepper()
     stepper.inputs[:7] = shift, yaw, 0.0, FORCE, 0.0, 0.0, 0.0
     assert stepper.step() == 0
-    contact = layout.Work.at(stepper._workspace).contact                 # of the right wheel, which came last
+    contact = work_of(stepper).contact                 # of the right wheel, which came last
     region, point = contact.regions[0], contact.overlap.points[0]
     state = system().evaluate(shift, yaw)
     track = brute_force.track()

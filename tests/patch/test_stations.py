@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.cases import MODELS
+from tests.helpers.inside import rates_along, tables_of
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import Kernel, default_kernel
@@ -63,7 +64,7 @@ def test_rates_of_common_stations_and_of_all_else_are_equal(name, pose):
         stepper.inputs[[layout.IN_LATERAL_SHIFT, layout.IN_NORMAL_FORCE]] = pose["lateral_shift"], 78.5e3
         stepper.inputs[layout.IN_YAW] = pose.get("yaw", 0.0)
         stepper.step()
-        return stepper._bound.tangent(np.eye(layout.INPUT_COUNT)[layout.IN_LATERAL_SHIFT])[1]
+        return rates_along(stepper, np.eye(layout.INPUT_COUNT)[layout.IN_LATERAL_SHIFT])
 
     usual = along_the_shift(31)
     for number in NUMBERS:
@@ -122,7 +123,7 @@ def test_area_and_load_of_the_outline_tend_to_those_of_the_patch():
 def test_compiled_and_uncompiled_kernel_give_equal_bits(model, number):
     if not default_kernel().compiled:
         pytest.skip("there is no compiled kernel")
-    tables = ContactSystem(normal_model=model, stations=number)._tables
+    tables = tables_of(ContactSystem(normal_model=model, stations=number))
     size = layout.OUTPUT_COUNT + 2 * layout.RUN_COUNT * number
     answers = []
     for kernel in (default_kernel(), Kernel()):

@@ -31,7 +31,7 @@ from wrcontact.results.convert import columns_of
 SYSTEM = ContactSystem()
 MM = 1e-3
 #: Shifts [m] at which the right contact jumps, from the independent search of
-#: tests/reference/find_jumps.py, by yaw [deg].
+#: data/find_jumps.py, by yaw [deg].
 JUMPS = {0.0: (4.847933 * MM, 6.251818 * MM), 0.5: (4.867662 * MM, 6.228034 * MM),
          1.0: (4.926844 * MM, 6.157520 * MM)}
 POSES = {"tread": dict(lateral_shift=1 * MM), "flange_root": dict(lateral_shift=5.5 * MM, yaw=0.02),

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from benchmarks.profile_noise import NAMES
+from data.noisy_profiles import NAMES
 from tests.helpers.profile_points import columns, miniprof, points, simpack
 from wrcontact import Profile, ProfileWarning
 from wrcontact.profiles import standard_profile
@@ -101,13 +101,13 @@ def check_any_file(folder, content, end, kind):
 QUIET = [HealthCheck.function_scoped_fixture, HealthCheck.too_slow, HealthCheck.data_too_large]
 
 
+@pytest.mark.full
 @settings(max_examples=20, deadline=None, suppress_health_check=QUIET, derandomize=True, print_blob=True)
 @given(file=damaged_files())
 def test_damaged_files_are_read_or_refused(tmp_path, file):
     check_any_file(tmp_path, *file)
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 @settings(max_examples=3000, deadline=None, suppress_health_check=QUIET, print_blob=True)
 @given(file=damaged_files())
@@ -123,6 +123,7 @@ def test_any_bytes_are_read_or_refused(tmp_path, content, end, kind):
     check_any_file(tmp_path, content, end, kind)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("text", [b"1" * 3_000_000 + b"x", b"\n" * 3_000_000, b" " * 3_000_000,
                                   b'{"a":' + b"[" * 3_000_000, b"point.begin\n" * 200_000,
                                   b"1,2,3," * 50_000],

@@ -39,15 +39,15 @@ def check_kept(folder, name, spacing, share, along):
         assert np.max(error / np.hypot(1.0, exact.slope(places * MM))) < most or spacing > 0.25, case
 
 
-@pytest.mark.parametrize("along", ["y", "arc"])
-@pytest.mark.parametrize("name", ["S1002", *RAILS])
+@pytest.mark.parametrize("along", ["y", pytest.param("arc", marks=pytest.mark.full)])
+@pytest.mark.parametrize("name", ["S1002", *(pytest.param(rail, marks=pytest.mark.full) for rail in RAILS)])
 def test_exact_points_are_kept(tmp_path, name, along):
     shares = np.random.default_rng(14).random(len(NAMED))
     for spacing, share in zip(NAMED, shares):
         check_kept(tmp_path, name, spacing, share, along)
 
 
-@pytest.mark.slow
+@pytest.mark.complete
 @pytest.mark.parametrize("along", ["y", "arc"])
 @pytest.mark.parametrize("name", ["S1002", *RAILS])
 def test_exact_points_are_kept_at_any_offset(tmp_path, name, along):

@@ -203,6 +203,7 @@ WORN = {
 }
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("deviation", [0.0, 0.02], ids=["exact", "noisy"])
 @pytest.mark.parametrize("case", WORN)
 def test_worn_and_difficult_shapes_solve(tmp_path, case, deviation):

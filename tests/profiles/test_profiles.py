@@ -76,7 +76,7 @@ def test_arrays_in_arrays_out_and_nan_outside():
 
 def test_highest_point_of_the_inclined_uic60():
     # UIC60, 1:40, gauge 1435 mm: 760.5385 mm from the track centre
-    # (tests/reference/brute_force.py finds the same)
+    # (data/brute_force.py finds the same)
     assert placed("UIC60").y_track == pytest.approx(0.7605385, abs=5e-8)
 
 

@@ -129,6 +129,7 @@ def test_evaluate_many_shows_how_far_it_is(opened, monkeypatch):
     assert "evaluating poses" in terminal.getvalue() and "00:0" in terminal.getvalue() and len(table) == 20
 
 
+@pytest.mark.full
 def test_rich_is_not_imported_without_a_terminal(tmp_path):
     script = ("import sys, wrcontact; wrcontact.ContactSystem().evaluate_many([0.0])\n"
               "assert not {'rich', 'matplotlib', 'pandas', 'scipy.interpolate'} & set(sys.modules)\n"
@@ -144,10 +145,10 @@ def test_the_kernel_shows_nothing():
 
 
 LONG_WORK = ("benchmarks/__main__.py", "benchmarks/parts.py", "benchmarks/random_poses.py",
-             "benchmarks/curvature_study.py", "benchmarks/elastic_study.py", "benchmarks/profile_noise.py",
-             "wrcontact/study/compare.py", "wrcontact/cli/commands.py",
-             "wrcontact/cli/demo.py", "wrcontact/cli/figures.py", "wrcontact/fmu/compilers.py",
-             "wrcontact/fmu/native.py", "wrcontact/fmu/online.py", "wrcontact/reference/stepping.py")
+             "benchmarks/studies/curvature.py", "benchmarks/errors.py", "benchmarks/profiles.py",
+             "benchmarks/studies/searches.py", "wrcontact/cli/commands.py",
+             "wrcontact/cli/demo.py", "wrcontact/study/figures.py",
+             "wrcontact/fmu/native.py", "wrcontact/fmu/online.py", "wrcontact/halfspace/stepping.py")
 
 
 @pytest.mark.parametrize("name", LONG_WORK)

@@ -156,6 +156,7 @@ def test_html(table, state):
 # --- other packages ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.full
 def test_pandas(table):
     pytest.importorskip("pandas")
     frame = table.to_pandas()
@@ -163,6 +164,7 @@ def test_pandas(table):
     assert frame["status"].tolist() == [0, 0, 2, 0] and frame.shape == (4, 29 + 543 + 1)
 
 
+@pytest.mark.full
 def test_xarray(table):
     pytest.importorskip("xarray")
     data = table.to_xarray()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.creep import contact_cells, errors, stored
-from wrcontact.reference.rolling import PressureField, contact_of_slip, rigid_slip
+from wrcontact.halfspace.rolling import PressureField, contact_of_slip, rigid_slip
 
 CASES = stored("hertz.json")
 PATCHES = stored("contact_patches.json")
@@ -38,7 +38,7 @@ def test_forces_are_contacts_on_its_cells(case):
     check(case)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("case", CASES["cases"], ids=name)
 def test_all_forces_are_contacts_on_its_cells(case):
     check(case)
@@ -64,7 +64,7 @@ def test_forces_on_contacts_own_pressures(patch):
     check_patch(patch, patch["cases"][-1])
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("patch", PATCHES["patches"], ids="{0[y_shift_mm]} mm".format)
 def test_all_forces_on_contacts_own_pressures(patch):
     for case in patch["cases"]:

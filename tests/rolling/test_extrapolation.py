@@ -1,13 +1,13 @@
 """Extrapolated forces against another program's, and how the grid's error falls."""
 
-import doctest
 
 import numpy as np
 import pytest
 
 from tests.helpers.creep import errors, forces, motion, stored, stored_patch
-from wrcontact.reference import rolling
-from wrcontact.reference.rolling import Outline, roll_ellipse, roll_outline, rolling_contact
+from wrcontact.halfspace.rolling import Outline, roll_ellipse, roll_outline, rolling_contact
+
+pytestmark = pytest.mark.machine
 
 ELLIPSES = stored("ellipses_extrapolated.json")["cases"]
 PATCHES = stored("patches_extrapolated.json")
@@ -40,7 +40,7 @@ def test_patches_of_profiles(case):
     check_patch(case)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("ratio", sorted({case["aob"] for case in ELLIPSES}), ids="a/b {}".format)
 def test_all_ellipses(ratio):
     for case in ELLIPSES:
@@ -48,7 +48,7 @@ def test_all_ellipses(ratio):
             check_ellipse(case)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_all_patches_of_profiles():
     for case in PATCHES["cases"]:
         check_patch(case)
@@ -65,7 +65,3 @@ def test_the_error_is_of_first_order():
     assert np.all((1.6 < first / second) & (first / second < 2.4)), first / second
     moved = (found[2] + second) - (found[1] + first)
     assert np.all(np.abs(moved[:2]) < 3e-3 * 0.3 * 8e4), (moved, second)
-
-
-def test_the_example():
-    assert doctest.testmod(rolling) == (0, 3)

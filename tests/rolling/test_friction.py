@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from tests.helpers.creep import forces
-from wrcontact.reference.rolling import Outline, PressureField, roll_outline, rolling_contact
-from wrcontact.reference.rolling.newton import PRECISION
+from wrcontact.halfspace.rolling import Outline, PressureField, roll_outline, rolling_contact
+from wrcontact.halfspace.rolling.newton import PRECISION
+
+pytestmark = pytest.mark.check
 
 MATERIAL = {"friction": 0.3, "shear_modulus": 82e9, "poisson_ratio": 0.28}
 OUTLINE = Outline.of_ellipse(6e-3, 4e-3, 8e4)

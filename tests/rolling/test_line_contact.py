@@ -13,7 +13,7 @@ and without 1 - nu across it (Johnson 1985, section 8.3).
 import numpy as np
 import pytest
 
-from wrcontact.reference.rolling import Outline, contact_of_slip, rigid_slip
+from wrcontact.halfspace.rolling import Outline, contact_of_slip, rigid_slip
 
 A, PRESSURE, FRICTION, SHEAR_MODULUS, POISSON_RATIO = 5e-3, 1e9, 0.3, 80e9, 0.28
 WIDE, ROWS, COLUMNS = 200, 21, 48

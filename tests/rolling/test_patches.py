@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from tests.helpers.inside import work_of
 from tests.helpers.strips import system_of
 from wrcontact import Status
+from wrcontact.halfspace.rolling import Outline, outline_of_patch, roll_ellipse, roll_patch
 from wrcontact.kernel import layout
-from wrcontact.kernel.layout import SolvedPatches, size
-from wrcontact.reference.rolling import Outline, outline_of_patch, roll_ellipse, roll_patch
 
 A, B, FORCE = 6e-3, 4e-3, 8e4
 MOTION = {"creepage_x": -1e-3, "creepage_y": -5e-4, "spin": -0.3, "friction": 0.3, "shear_modulus": 82e9,
@@ -15,10 +15,9 @@ MOTION = {"creepage_x": -1e-3, "creepage_y": -5e-4, "spin": -0.3, "friction": 0.
 
 
 def solved_ellipse(rule, count=41, station=3e-3, slant=0.0):
-    """A Hertz patch whose middle is at ``station``, as a model of normal contact would fill it."""
-    solved = SolvedPatches.at(np.zeros(size(SolvedPatches)))
-    solved.count = 1
-    patch = solved.patches[0]
+    """A Hertz patch whose middle is at ``station``, as a model of normal contact would fill it, and its
+    strips."""
+    strips, patch = layout.SolvedStrips(), layout.Patch()
     totals = patch.totals
     totals.load, totals.centroid, totals.moment = FORCE, station, FORCE * station
     totals.start, totals.stop, totals.width = station - B, station + B, 2.0 * B
@@ -26,10 +25,10 @@ def solved_ellipse(rule, count=41, station=3e-3, slant=0.0):
     patch.rule, patch.slant = rule, slant
     if rule == layout.RULE_ELLIPSE:
         totals.centroid = 0.0
-        return solved
+        return strips, patch
     patch.first, patch.last = 0, count - 1
     for k in range(count):
-        strip = solved.strips[k]
+        strip = strips[k]
         share = 2.0 * (k + 0.5) / count - 1.0
         strip.width = 2.0 * B / count
         strip.station = station + share * B
@@ -37,24 +36,23 @@ def solved_ellipse(rule, count=41, station=3e-3, slant=0.0):
         strip.half_length_square = (1.0 - share**2) * A**2
         strip.pressure_square = (1.0 - share**2) * totals.max_pressure**2
         strip.line_load = 0.5 * np.pi * A * totals.max_pressure * (1.0 - share**2)
-    return solved
+    return strips, patch
 
 
 @pytest.mark.parametrize("rule", [layout.RULE_ELLIPSE, layout.RULE_QUADRATIC, layout.RULE_STRAIGHT])
 def test_forces_of_an_elliptic_patch(rule):
     """Straight lines between 41 strips: 1e-3 of the friction limit."""
-    solved = solved_ellipse(rule)
-    wanted, found = roll_ellipse(A, B, FORCE, **MOTION), roll_patch(solved, solved.patches[0], **MOTION)
+    strips, patch = solved_ellipse(rule)
+    wanted, found = roll_ellipse(A, B, FORCE, **MOTION), roll_patch(strips, patch, **MOTION)
     limit = 0.3 * FORCE
     assert found.force_x == pytest.approx(wanted.force_x, abs=1e-3 * limit)
     assert found.force_y == pytest.approx(wanted.force_y, abs=1e-3 * limit)
     assert found.moment == pytest.approx(wanted.moment, abs=1e-3 * limit * 5e-3)
-    assert found.max_shear <= 0.3 * solved.patches[0].totals.max_pressure * (1.0 + 1e-6)
+    assert found.max_shear <= 0.3 * patch.totals.max_pressure * (1.0 + 1e-6)
 
 
 def test_a_slanted_patch_lies_around_its_centre_of_load():
-    solved = solved_ellipse(layout.RULE_STRAIGHT, slant=0.4)
-    outline = outline_of_patch(solved, solved.patches[0])
+    outline = outline_of_patch(*solved_ellipse(layout.RULE_STRAIGHT, slant=0.4))
     assert outline.middle == pytest.approx(0.4 * np.clip(outline.station, -B, B), abs=0.4 * B / 40)
     field = outline.on_grid(40, 40)
     x, y = np.meshgrid(field.x, field.y)
@@ -71,10 +69,11 @@ def test_patches_of_the_models(model, shift, yaw):
     stepper = system_of(model).stepper()
     stepper.inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, 78.5e3
     assert stepper.step() == Status.VALID
-    solved = layout.Work.at(stepper._workspace).contact.solved      # of the wheel that was solved last
-    assert solved.count > 0
-    for patch in (solved.patches[k] for k in range(solved.count)):
-        field, totals = outline_of_patch(solved, patch).on_grid(60, 60), patch.totals
+    work = work_of(stepper)
+    side = work.sides[1]        # the strips are those of the wheel that was solved last
+    assert side.patch_count > 0
+    for patch in side.patches[:side.patch_count]:
+        field, totals = outline_of_patch(work.contact.strips, patch).on_grid(60, 60), patch.totals
         assert field.normal_force == pytest.approx(totals.load, rel=1e-9)
         assert field.y[[0, -1]] + totals.centroid == pytest.approx([totals.start, totals.stop],
                                                                    abs=totals.width / 60)
@@ -85,11 +84,11 @@ def test_patches_of_the_models(model, shift, yaw):
 
 
 def test_a_patch_without_load_is_refused():
-    solved = solved_ellipse(layout.RULE_STRAIGHT)
+    strips, patch = solved_ellipse(layout.RULE_STRAIGHT)
     for k in range(41):
-        solved.strips[k].line_load = -1.0
+        strips[k].line_load = -1.0
     with pytest.raises(ValueError, match="no loaded strip"):
-        outline_of_patch(solved, solved.patches[0])
+        outline_of_patch(strips, patch)
 
 
 def test_pressures_on_the_grid_are_those_of_the_ellipse():

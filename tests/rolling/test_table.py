@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from tests.helpers.paths import ROOT
-from wrcontact.reference.rolling import nodes, roll_ellipse
-from wrcontact.reference.rolling.extrapolation import COARSE_CELLS
-from wrcontact.reference.rolling.kalker import creep_coefficients
+from wrcontact.halfspace.rolling import nodes, roll_ellipse
+from wrcontact.halfspace.rolling.extrapolation import COARSE_CELLS
+
+pytestmark = pytest.mark.check
 
 FOLDER = ROOT / "wrcontact" / "kernel" / "data"
 POISSON_RATIOS = (0.25, 0.28, 0.30)
@@ -49,7 +50,7 @@ def test_nodes_are_made_again(table, monkeypatch):
     check_line(table, (5, 2, 9))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("line", nodes.lines()[7::29], ids=str)
 def test_many_nodes_are_made_again(table, line):
     check_line(table, line)
@@ -61,7 +62,7 @@ def test_the_table_is_complete(table):
     for name in ("ratio", "beta", "alpha", "rho"):
         assert table[name] == pytest.approx(getattr(nodes, name.upper()))
     assert table["creep_coefficients"] == pytest.approx(np.array(
-        [creep_coefficients(ratio, 1.0, float(table["poisson_ratio"])) for ratio in nodes.RATIO]))
+        [nodes.creep_coefficients(ratio, 1.0, float(table["poisson_ratio"])) for ratio in nodes.RATIO]))
     size = np.hypot(forces[..., 0], forces[..., 1])
     assert size.max() < 1.0 + TOLERANCE
     assert np.all((0.0 <= forces[..., 3]) & (forces[..., 3] <= 1.0))

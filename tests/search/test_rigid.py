@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data import brute_force
 from tests.helpers.fuzzing import cut
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
 from tests.helpers.surface_witness import Surfaces
-from tests.reference import brute_force
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail
 
@@ -25,7 +25,7 @@ def system():
 
 
 def rows(name):
-    with open(REFERENCE_DATA / name, newline="") as file:
+    with open(DATA / name, newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -54,7 +54,7 @@ def poses(count, seed):
         yield ("UIC60", "60E1", "54E1")[k % 3], (1 / 40, 1 / 20)[k // 3 % 2], rng.uniform(-0.01, 0.01), yaw
 
 
-#: Within 50 um of the right contact's jumps on UIC60 1:40 (tests/reference/find_jumps.py), but for the 1 um
+#: Within 50 um of the right contact's jumps on UIC60 1:40 (data/find_jumps.py), but for the 1 um
 #: in which the raw step of S1002's printed coefficients at y = -35 mm would hold the contact.
 NEAR_JUMPS = [("UIC60", 1 / 40, shift, yaw) for shift, yaw in
               ((4.8475e-3, 0.0), (4.8485e-3, 0.0), (4.80e-3, 0.0), (4.89e-3, 0.0), (6.2507e-3, 0.0),
@@ -80,7 +80,8 @@ def compare_with_brute_force(rail, inclination, shift, yaw):
         assert abs(mine.rolling_radius - other.rolling_radius) < POSITION, pose
 
 
-@pytest.mark.parametrize("pose", list(poses(3, seed=11)) + NEAR_JUMPS[::8])
+@pytest.mark.parametrize("pose", [pose if k in (0, 3) else pytest.param(pose, marks=pytest.mark.full)
+                                  for k, pose in enumerate([*poses(3, seed=11), *NEAR_JUMPS[::8]])])
 def test_brute_force_agrees(pose):
     compare_with_brute_force(*pose)
 
@@ -88,7 +89,7 @@ def test_brute_force_agrees(pose):
 MANY = list(poses(60, seed=12)) + NEAR_JUMPS
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("pose", [pytest.param(pose, marks=pytest.mark.complete) if k % 3 else pose
                                   for k, pose in enumerate(MANY)])
 def test_brute_force_agrees_on_many(pose):

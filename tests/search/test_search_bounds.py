@@ -3,7 +3,7 @@
 import numpy as np
 
 import wrcontact
-from benchmarks.profile_noise import noisy_points
+from data.noisy_profiles import noisy_points
 from tests.helpers.numpy_tables import build_tables
 from wrcontact.kernel import layout
 from wrcontact.kernel.search import bounds, raster, roll

@@ -11,7 +11,7 @@ from wrcontact.simulation.session import Session
 pytestmark = needs_linux
 
 
-@pytest.mark.parametrize("count", [500, pytest.param(20_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [500, pytest.param(20_000, marks=pytest.mark.full)])
 def test_damaged_states_of_a_session_are_refused(count):
     """Those of the FMUs are in tests/fmu."""
     one, other = (Session(tell=lambda sentence: None) for _ in range(2))

@@ -10,6 +10,7 @@ from wrcontact.interface.variables import (
     INPUT,
     OUTPUT,
     PARAMETER,
+    PLACE,
     REFERENCE,
     STATUS,
     UNITS,
@@ -54,7 +55,7 @@ def roll(session):
 def test_outputs_lie_in_the_order_of_the_kernel():
     assert [v.index for v in VARIABLES[: layout.INPUT_COUNT]] == list(range(layout.INPUT_COUNT))
     assert [v.index for v in VARIABLES[FIRST_OUTPUT:STATUS]] == list(range(layout.OUTPUT_COUNT))
-    assert select(INPUT) + select(PARAMETER) + select(OUTPUT) == list(range(len(VARIABLES)))
+    assert select(INPUT) + select(PARAMETER) + select(OUTPUT) == list(VARIABLES)
 
 
 @pytest.mark.parametrize("name, index", [
@@ -63,11 +64,12 @@ def test_outputs_lie_in_the_order_of_the_kernel():
     ("moment.x", layout.OUT_MOMENT),
     ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
     ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
-    ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_SIZE + layout.PATCH_WIDTH),
+    ("right.patch[2].width",
+     layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_OUTPUTS_SIZE + layout.PATCH_OUTPUTS_WIDTH),
     ("left.half_length[31]", layout.OUT_LEFT + layout.SIDE_HALF_LENGTH + 30),
 ])
 def test_names_point_to_the_right_place(name, index):
-    assert VARIABLES[REFERENCE[name]].index == index
+    assert VARIABLES[PLACE[name]].index == index
 
 
 def test_names_are_unique_and_every_real_has_a_unit():
@@ -80,6 +82,22 @@ def test_documented_rows_fold_sides_patches_and_stations():
     assert {"side.patch[k].area", "side.station[j]", "roll"} <= set(names)
     # folded: a sixth of the outputs, and the inputs and parameters
     assert len(names) == len(set(names)) < layout.OUTPUT_COUNT / 6 + 70
+
+
+def test_values_go_by_their_numbers_where_places_differ(session, monkeypatch):
+    """As when a row has been added before them."""
+    turned = {len(VARIABLES) - number: v for number, v in module.BY_REFERENCE.items()}
+    monkeypatch.setattr(module, "BY_REFERENCE", turned)
+    number = {v.name: found for found, v in turned.items()}
+    session.set_reals([number["lateral_shift"], number["gauge"]], [2.0, 1.5])
+    session.set_booleans([number["free_rolling"]], [False])
+    session.start()
+    session.set_reals([number["lateral_shift"]], [3.0])
+    read = [number[name] for name in ("gauge", "lateral_shift", "yaw", "roll", "right.slip[31]")]
+    first = 3.0 + 78500.0 + STARTS - 1.0 + 0.2       # free_rolling is off, the second step
+    assert session.get_reals(read) == pytest.approx([1.5, 3.0, 0.0, first, first + layout.OUTPUT_COUNT - 1])
+    assert session.get_booleans([number["free_rolling"]]) == [False]
+    assert session.get_integers([number["status"]]) == [0]
 
 
 # --- life cycle -------------------------------------------------------------------------------------
@@ -108,8 +126,8 @@ def test_values_are_read_in_any_order_and_any_number(running):
     assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0]
     assert values[3] == values[4]
     assert running.get_reals(references[:1]) == values[:1]
-    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0,
-                                                                             int(values[3]) + layout.OUT_LEFT]
+    integers = running.get_integers([REFERENCE["status"], REFERENCE["left.patch_count"]])
+    assert integers == [0, int(values[3]) + layout.OUT_LEFT]
     assert running.get_strings([REFERENCE["rail_profile"]]) == ["UIC60"]
 
 
@@ -158,8 +176,8 @@ def test_parameters_are_fixed_once_the_simulation_runs(running):
 
 @pytest.mark.parametrize("call, words", [
     (lambda s: s.set_reals([REFERENCE["roll"]], [1.0]), "roll is an output"),
-    (lambda s: s.set_integers([STATUS], [1]), "status is an output"),
-    (lambda s: s.get_reals([STATUS]), "status is of type Integer"),
+    (lambda s: s.set_integers([REFERENCE["status"]], [1]), "status is an output"),
+    (lambda s: s.get_reals([REFERENCE["status"]]), "status is of type Integer"),
     (lambda s: s.get_reals([REFERENCE["load"]]), "load is of type String"),
     (lambda s: s.get_integers([len(VARIABLES)]), f"{len(VARIABLES)} does not exist"),
     (lambda s: s.get_reals([-1]), "-1 does not exist"),
@@ -281,7 +299,8 @@ def test_snapshot_of_a_real_wheelset_goes_on_bit_by_bit(mode):
     other.restore(session.snapshot())
     shifts = [1.2e-3, 4e-3, 4.01e-3]
     assert advance(session, shifts) == advance(other, shifts)
-    assert session.get_reals(select(OUTPUT, "Real")) == other.get_reals(select(OUTPUT, "Real"))
+    reals = [REFERENCE[v.name] for v in select(OUTPUT, "Real")]
+    assert session.get_reals(reals) == other.get_reals(reals)
     assert session.status == 0
 
 

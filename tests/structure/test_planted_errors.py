@@ -1,4 +1,4 @@
-"""The planted errors of plant_errors.py: each is still to be planted, and is seen by the quick tests."""
+"""The planted errors of plant_errors.py: each is still to be planted, and is seen by the tests of .ci/run."""
 
 import ast
 import shutil
@@ -42,6 +42,7 @@ def test_lines_at_random_are_the_same_for_a_seed():
         assert (ROOT / name).read_text(encoding="utf-8").splitlines()[int(number) - 1].strip() == text.strip()
 
 
+@pytest.mark.full
 def test_a_translation_within_a_worker_of_a_test_run_has_the_usual_folder(tmp_path, monkeypatch):
     """Pyccel names its folder after the worker."""
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
@@ -59,7 +60,6 @@ def test_the_tests_of_an_error_s_room_run_first_and_all_others_after_them():
     assert all((ROOT / name).is_file() for name in names)
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
@@ -68,11 +68,10 @@ def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
     assert files == translate(tree / "wrcontact" / "kernel")
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 @pytest.mark.skipif(not (shutil.which("gcc") or shutil.which("cc")), reason="no C compiler here")
 def test_every_planted_error_is_seen():
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
-    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors"], cwd=ROOT, text=True,
+    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors", "--full"], cwd=ROOT, text=True,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     assert run.returncode == 0, run.stdout

@@ -9,17 +9,16 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from tests.helpers.paths import REFERENCE_DATA, ROOT
+from data import brute_force
+from tests.helpers.paths import DATA, ROOT
 from tests.helpers.source_study import STUDY
-from tests.reference import brute_force
 from wrcontact import ContactSystem
-from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
-from wrcontact.plots.source_figures import DRAWN, source_figure
-from wrcontact.study.compare import lever_share
 from wrcontact.study.figure import FAILS, HOLDS, PARTLY, rows_of
-from wrcontact.study.figures import chosen, compute, known
+from wrcontact.study.figures import chosen, compute, index, known, summary
+from wrcontact.study.pictures import DRAWN, source_figure
+from wrcontact.study.search import lever_share
 from wrcontact.study.sections import Section
 
 NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in range(1, 18)))
@@ -31,13 +30,13 @@ def figure(number):
 
 
 def read_reference(name):
-    with open(REFERENCE_DATA / name, newline="", encoding="utf-8") as file:
+    with open(DATA / name, newline="", encoding="utf-8") as file:
         return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def reference_jumps(yaw):
-    """Lateral shifts at which the right contact jumps by tests/reference/find_jumps.py [mm]: root, flange."""
-    page = (REFERENCE_DATA / "README.md").read_text(encoding="utf-8")
+    """Lateral shifts at which the right contact jumps by data/find_jumps.py [mm]: root, flange."""
+    page = (DATA / "README.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ([\d.]+) \| ([\d.]+) \| -", page, re.MULTILINE)
     shifts = [float(shift) for at_yaw, shift in rows if float(at_yaw) == yaw]
     return shifts[0], shifts[-1]
@@ -55,7 +54,7 @@ def at(number, curve, shift):
 
 
 def test_roll_and_place_are_those_of_the_brute_force():
-    """tests/reference/rigid_positions.csv is an independent search over both
+    """data/rigid_positions.csv is an independent search over both
     parameters of the wheel's surface."""
     rows = [row for row in read_reference("rigid_positions.csv") if row["yaw_deg"] == 0]
     assert len(rows) > 5
@@ -168,8 +167,8 @@ row["R_x_wheel_mm"], abs=2e-3)   # [mm]
     assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
 
 
-@pytest.mark.parametrize("shift, yaw", [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.slow),
-                                        pytest.param(8.0, 2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("shift, yaw", [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.full),
+                                        pytest.param(8.0, 2, marks=pytest.mark.full)])
 def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
     """The search over both parameters of the wheel's surface, which shares no code with the package."""
     found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))
@@ -369,6 +368,7 @@ def same_words(told, found):
     return True
 
 
+@pytest.mark.machine
 @pytest.mark.parametrize("number", NUMBERS)
 def test_documentation_has_today_s_numbers(number):
     """The table is what ``python -m wrcontact.study.figures`` prints."""

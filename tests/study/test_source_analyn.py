@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipe, ellipk
 
-from tests.helpers.hertz import MODULUS
+from data.hertz import MODULUS
 from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
 from tests.helpers.numpy_profiles import compile_profile
 from tests.helpers.source_study import STUDY

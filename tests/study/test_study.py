@@ -14,12 +14,13 @@ from wrcontact.study import (
     DenserSearch,
     Search2D,
     Search3D,
-    compare,
     constraints,
     exact_result,
 )
+from wrcontact.study.search import jump_to_flange, lever_share, longitudinal_limit, wang_shift
 from wrcontact.study.surfaces import Pose, Surfaces, profile_nodes
-from wrcontact.study.wang import longitudinal_limit, wang_shift
+
+pytestmark = pytest.mark.check
 
 SPACINGS = (4e-4, 2e-4, 1e-4, 5e-5)   # [m]
 EXACTLY = 1e-12                       # tolerance of the distances [m], so that the nodes alone are seen
@@ -137,9 +138,9 @@ def test_contact_on_the_flange_beyond_the_range_of_the_source(system):
 
 def test_flange_contact_comes_earlier_with_yaw_but_not_in_the_source_as_described(system):
     yaw, search = deg(2), Search3D(system, dx=1e-3)
-    exact = compare.jump_to_flange(lambda shift: exact_result(system, shift, yaw))
-    found = compare.jump_to_flange(lambda shift: search.solve(shift, yaw))
-    plane = compare.jump_to_flange(Search2D(system).solve)
+    exact = jump_to_flange(lambda shift: exact_result(system, shift, yaw))
+    found = jump_to_flange(lambda shift: search.solve(shift, yaw))
+    plane = jump_to_flange(Search2D(system).solve)
     assert exact == pytest.approx(5.878e-3, abs=3e-6)
     assert found == pytest.approx(plane, abs=3e-6) and plane == pytest.approx(6.252e-3, abs=3e-6)
 
@@ -162,7 +163,7 @@ def test_lever_of_the_roll(system, shift, share):
                        for side in ("left", "right"))
         gaps.append(left.gap - right.gap)
     measured = (gaps[1] - gaps[0]) / 2e-5 / (left.y_axle + right.y_axle)
-    assert compare.lever_share(system, shift) == pytest.approx(share, abs=1e-3)
+    assert lever_share(system, shift) == pytest.approx(share, abs=1e-3)
     assert measured == pytest.approx(share, abs=5e-3)
 
 
@@ -240,20 +241,5 @@ def test_nodes_are_multiples_of_their_spacing():
                                atol=1e-15)
 
 
-def test_comparison_tells_errors_and_failures(system):
-    poses = [(shift, deg(2)) for shift in (1e-3, 6e-3)]
-    row = compare.summary("3-D", True, list(compare.trials(system, Search3D(system, dx=1e-3), poses)))
-    assert row.poses == 2 and [trial.shift for trial in row.failed] == [6e-3]
-    assert row.roll_worst < 1e-6 and row.y_worst < 2e-4 and row.steps > 0 and row.units > 0
-
-
 def test_studies_are_not_packed():
     assert not [name for name in online_files() if "study" in name]
-
-
-@pytest.mark.slow
-def test_comparison_prints_its_tables(capsys):
-    compare.main(quick=True)
-    text = capsys.readouterr().out
-    assert text.count("\n| --- | --- |") == 6    # one under the head of each table
-    assert "| denser nodes, dx and dy to 0.01 mm | 1 ... 3 deg | 0 of 4 |" in text

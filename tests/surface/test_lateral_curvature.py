@@ -5,6 +5,7 @@ import pytest
 from scipy.optimize import least_squares
 
 import wrcontact
+from tests.helpers.inside import tables_of
 from tests.helpers.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
 from tests.helpers.numpy_profiles import compile_profile
 from tests.helpers.separations import PLACES
@@ -43,8 +44,8 @@ def test_tables_hold_numbers_at_every_scale(rail, parameters):
     system = wrcontact.ContactSystem(rail=rail, lateral_curvature=kind, **parameters)
     for setting, end in ((layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE),
                          (layout.SET_RAIL_CURVATURE, layout.SET_RAIL_ARC)):
-        start = int(system._tables[setting])
-        table = system._tables[start:int(system._tables[end])]
+        start = int(tables_of(system)[setting])
+        table = tables_of(system)[start:int(tables_of(system)[end])]
         assert np.all(np.isfinite(table)) and np.abs(table[3:]).max() < 2000.0
     state = system.evaluate_many(np.linspace(-6.5e-3, 6.5e-3, 41), normal_force=5e4)
     assert np.all(state.status == 0) and np.all(np.isfinite(state.values))
@@ -120,7 +121,7 @@ def test_rough_and_smooth_are_what_the_source_shows():
     """Sections 7.2 and 7.3 of the source: at 1 mm the rough curvature of wheel and rail together jumps within
     the patch, even below zero, and the smooth one does not."""
     system = wrcontact.ContactSystem()
-    tables = system._tables
+    tables = tables_of(system)
     wheel, rail = (tables[int(tables[a]):int(tables[b])] for a, b in ((layout.SET_WHEEL, layout.SET_RAIL),
                                                                        (layout.SET_RAIL, layout.SET_SCAN)))
     contact = system.evaluate(1e-3).right.contact

@@ -56,7 +56,7 @@ def test_a_share_of_the_combinations(seed):
         check(*rng.choice(PAIRS), chosen, 11)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize(("rail", "inclination"), PAIRS[::2] + PAIRS[-1:])
 def test_all_combinations(rail, inclination):
     """Three quarters of a minute each; the other inclinations have their share above."""

@@ -181,6 +181,7 @@ def check_size(scene, poses):
     return kept, np.where(kept, off, 0.0)
 
 
+@pytest.mark.full
 @amounts((8, 30), (60, 60), (400, 500))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
 def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
@@ -267,6 +268,7 @@ def check_smooth(seed, scenes, poses, mode):
     return np.concatenate(hops)
 
 
+@pytest.mark.full
 @amounts((2, 60), (40, 40), (300, 400))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
 def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
@@ -285,8 +287,8 @@ EXAMPLES = settings(deadline=None, derandomize=True, database=None,
 
 
 @pytest.mark.parametrize("examples", [
-    8, pytest.param(80, marks=pytest.mark.slow),
-    pytest.param(2000, marks=[pytest.mark.slow, pytest.mark.complete])])
+    8, pytest.param(80, marks=pytest.mark.full),
+    pytest.param(2000, marks=pytest.mark.complete)])
 def test_hypothesis_finds_nothing(examples):
     """Hypothesis picks the scene by its number and changes shift, yaw and load of its poses,
     to round numbers above all."""

@@ -1,7 +1,7 @@
 """Rigid contact at very many poses: what has to hold of wheel and rail surfaces, against a
 witness that shares no code.
 
-Fifty thousand poses run in CI, a million with ``-m "slow and complete"``. A failure prints the pose as a line
+Fifty thousand poses run in CI, a million with ``-m complete``. A failure prints the pose as a line
 of Python; ``cut`` in it is tests.helpers.fuzzing.cut.
 """
 
@@ -218,13 +218,12 @@ def test_a_thousand_poses():
     check_scenes(8, 125, 61, loads=4)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("part", range(4))
 def test_fifty_thousand_poses(part):
     check_scenes(25, 500, 62, first=25 * part, loads=4)
 
 
-@pytest.mark.slow
 @pytest.mark.complete
 @pytest.mark.parametrize("part", range(40))
 def test_a_million_poses(part):
@@ -249,7 +248,7 @@ def single_pose(draw):
     return scene, Poses(np.array([pose]))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @seed(64)
 @settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck), database=None)
 @given(single_pose())

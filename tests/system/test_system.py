@@ -239,6 +239,7 @@ def test_threads_share_a_system(system):
     assert len(results) == 4
 
 
+@pytest.mark.full
 def test_memory_stays_flat(system):
     """100 000 evaluations; resident memory read from the system where it says it."""
     resident = pytest.importorskip("resource")

@@ -2,7 +2,6 @@
 they must be by symmetry."""
 
 import importlib
-import re
 import sys
 from pathlib import Path
 
@@ -11,10 +10,24 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import input_row
+from tests.helpers.derivatives import (
+    AGREE,
+    CLEAR,
+    COMPLIANT_INPUTS,
+    CONTINUOUS,
+    INPUTS,
+    KINK,
+    NOMINAL,
+    USUAL,
+    derivative,
+    differences,
+    scale,
+    stepped,
+)
+from tests.helpers.inside import rates_along, workspace_of
 from tests.helpers.mirror import side_signs
 from tools.tangent import tangent_modules
 from tools.transpile_kernel import source_modules
-from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.kernel.layout import (
@@ -35,23 +48,6 @@ from wrcontact.kernel.layout import (
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
 
-OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
-NAMES = [variable.name for variable in OUTPUTS]
-CONTINUOUS = np.array([variable.type != INTEGER for variable in OUTPUTS])
-NOMINAL = np.array([variable.nominal or 1.0 for variable in OUTPUTS])
-USUAL = np.array([variable.nominal or 1.0 for variable in VARIABLES[:INPUT_COUNT]])
-FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inverse=True)[1]
-
-AGREE = 1e-6        # [of the derivative's scale] to differences
-CLEAR = 3e-7        # [likewise] differences that agree with each other to this are held against derivatives
-KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
-# steps of differences, each twice the one before; the first, as a share of the input's nominal value:
-STEPS = 16
-SHORT = 3           # the first of them, which end before most kinks that the others cross
-FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
-
-INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)
-COMPLIANT_INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_VERTICAL_SHIFT, IN_ROLL)
 RAILS = range(layout.IN_LEFT_RAIL_LATERAL, layout.IN_RIGHT_RAIL_ROLL + 1)
 #: Parameters, and the share of clear differences that may be off: some lie across a kink that neither their
 #: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes.
@@ -75,7 +71,6 @@ CASES = {
 #: e^2 / (1 + e^2) and where a patch ends: fewer of their differences agree with each other.
 USUALLY, STRIPS = 0.9, 0.75
 QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
-SLOW = pytest.mark.slow
 
 
 def poses(count, seed, mode="rigid"):
@@ -93,48 +88,8 @@ def poses(count, seed, mode="rigid"):
     return rows
 
 
-def stepped(stepper, row):
-    stepper.inputs[:] = row
-    return stepper.step(), stepper.outputs.copy()
-
-
-def derivative(stepper, row, seed):
-    """Status and rates of the outputs at ``row`` along ``seed``: a number of one input, or a vector."""
-    along = np.eye(INPUT_COUNT)[seed] if isinstance(seed, int) else np.asarray(seed, float)
-    stepped(stepper, row)
-    return stepper._bound.tangent(along)
-
-
-def differences(stepper, row, number):
-    """Central differences along one input, extrapolated from two steps each, where neighbouring ones agree
-    best; how far these are apart; and the middle one of those over the SHORT steps, which are noisier."""
-    found = []
-    for k in range(STEPS):
-        step = FIRST[number] * USUAL[number] * 2.0**k
-        low, high = row.copy(), row.copy()
-        low[number] -= step
-        high[number] += step
-        (worse, after), (bad, before) = stepped(stepper, high), stepped(stepper, low)
-        valid = max(worse, bad) <= layout.UNLOADED
-        found.append((after - before) / (high - low)[number] if valid else np.full(OUTPUT_COUNT, np.nan))
-    found = np.array(found)
-    sharper = (4.0 * found[:-1] - found[1:]) / 3.0
-    apart = np.abs(np.diff(sharper, axis=0))
-    apart = np.nan_to_num(np.maximum(apart[:-1], apart[1:]), nan=np.inf)
-    best, columns = apart.argmin(axis=0), np.arange(OUTPUT_COUNT)
-    return sharper[best + 1, columns], apart[best, columns], np.median(found[:SHORT], axis=0)
-
-
-def scale(rates, number):
-    """What a deviation is measured by: the largest rate of an output's kind (of all stations of a side, for
-    one), or a thousandth of nominal values."""
-    largest = np.zeros(FAMILY.max() + 1)
-    np.maximum.at(largest, FAMILY, np.abs(rates))
-    return np.maximum(largest[FAMILY], 1e-3 * NOMINAL / USUAL[number])
-
-
-@pytest.mark.parametrize("case",
-                         [case if case in QUICK else pytest.param(case, marks=SLOW) for case in CASES])
+@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.full] * (case not in QUICK))
+                                  for case in CASES])
 def test_derivatives_are_those_of_differences(case):
     """All continuous outputs against all inputs at random poses.
 
@@ -270,9 +225,9 @@ def test_nothing_else_changes(case):
     for row in poses(4, seed=8):
         stepped(stepper, row)
         before = [array.copy()
-                  for array in (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)]
-        derivative_again = [stepper._bound.tangent(np.eye(INPUT_COUNT)[0])[1] for _ in range(2)]
-        after = (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)
+                  for array in (stepper.state, workspace_of(stepper), stepper.inputs, stepper.outputs)]
+        derivative_again = [rates_along(stepper, np.eye(INPUT_COUNT)[0]) for _ in range(2)]
+        after = (stepper.state, workspace_of(stepper), stepper.inputs, stepper.outputs)
         assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(before, after))
         assert np.array_equal(*derivative_again)
 
@@ -289,7 +244,7 @@ def test_a_width_that_ends_where_there_is_no_gap():
         assert rates.any() == (number in (IN_LATERAL_SHIFT, IN_YAW, IN_ROLL, IN_VERTICAL_SHIFT, *RAILS))
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("case", ["hertz", "analyn", "strip", "elastic", "compliant"])
 def test_derivatives_are_numbers(case):
     """Far out, too, and where a wheel carries nothing."""
@@ -320,10 +275,8 @@ def differentiated(tmp_path_factory):
     sys.path.remove(str(folder.parent))
 
 
-@pytest.mark.parametrize("case", ["hertz", "analyn", pytest.param("strip", marks=SLOW),
-                                  pytest.param("elastic hertz", marks=SLOW),
-                                  pytest.param("compliant", marks=SLOW),
-                                  pytest.param("equidistant", marks=SLOW)])
+@pytest.mark.full
+@pytest.mark.parametrize("case", ["hertz", "analyn", "strip", "elastic hertz", "compliant", "equidistant"])
 def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, case):
     parameters, _ = CASES[case]
     tangents, step = differentiated
@@ -332,7 +285,7 @@ def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, c
         for number in (IN_YAW, IN_NORMAL_FORCE):
             rates = derivative(stepper, row, number)[1]
             work, state, outputs = [0.0] * layout.WORK_SIZE, stepper.state.tolist(), [0.0] * OUTPUT_COUNT
-            tables = stepper._tables.tolist()
+            tables = stepper.tables.tolist()
             assert step.step(tables, tables, state, work, row.tolist(), outputs) <= layout.UNLOADED
             work_t = [0.0] * layout.WORK_SIZE
             work_t[layout.WORK_INPUTS + number] = 1.0

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from tests.helpers.creep_cases import SETS, Model, cases, errors, summary
+from data.creep_cases import SETS, Model, cases, errors, summary
+
+pytestmark = pytest.mark.machine
 
 #: Largest mean, 95 % quantile and largest error of coupled strips.  CONTACT's ellipses are on 44 cells: their
 #: own error of the grid is 0.3 in the mean, and 1.2 at worst, of which half a per cent counts here.

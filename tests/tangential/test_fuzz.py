@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.helpers.creep_cases import Model, all_shapes, cases, full_slip, random_patch, vector
+from data.creep_cases import Model, all_shapes, cases, full_slip, random_patch, vector
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.library import default_kernel
 
@@ -28,6 +28,7 @@ def mirrored(patch):
                    line_load=patch.line_load[::-1], slant=-patch.slant)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("name", MODELS)
 def test_bounds_power_and_symmetries(name):
     """|F| is at most mu N, friction takes power, shares are shares; mirrored and reversed motions have

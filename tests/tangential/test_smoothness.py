@@ -6,7 +6,7 @@ Creepages are in units of saturation: those at which linear theory has the force
 import numpy as np
 import pytest
 
-from tests.helpers.creep_cases import Model, all_shapes, forces, full_slip, vector
+from data.creep_cases import Model, all_shapes, forces, full_slip, vector
 from wrcontact.creep import elliptic_patch
 
 #: Steepest slopes [mu N per unit of saturation]; linear theory itself has 1.41 for lateral creepage with
@@ -82,7 +82,7 @@ def test_lines_of_spin(ratio):
         examine(Line(patch, (0.05, lateral, 0.0), (0.0, 0.0, 1.0)), np.arange(0.7, 1.3, 0.001), SPIN_SLOPE)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_random_pairs():
     """20000 pairs a millionth of saturation apart, on patches of all shapes and up to 20 times saturation."""
     rng = np.random.default_rng(5)

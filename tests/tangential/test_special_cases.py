@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.helpers.creep_cases import Model, all_shapes, full_slip, vector
+from data.creep_cases import Model, all_shapes, full_slip, vector
 from wrcontact.creep import elliptic_patch, forces, outlined_patch
 from wrcontact.kernel import layout
 

@@ -6,13 +6,15 @@ import numpy as np
 import pytest
 from scipy import integrate
 
-from tests.helpers.creep_cases import CREEP
+from data.creep_cases import CREEP
 from wrcontact.creep import elliptic_nodes
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table
 from wrcontact.kernel.binding.fixed_tables import fixed_tables
 from wrcontact.kernel.prepare import fixed
 from wrcontact.kernel.tangential import shapes, stiffness
+
+pytestmark = pytest.mark.machine
 
 
 def kernel_table(nu):

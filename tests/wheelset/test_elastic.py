@@ -12,7 +12,7 @@ from scipy.optimize import brentq, root
 
 from tests.helpers.cases import FORCE, POSES, system
 from tests.helpers.elastic import carried, compliant, elastic, rail_slope_along
-from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.paths import DATA
 
 # --- published equilibria -------------------------------------------------------------------------
 
@@ -20,7 +20,7 @@ from tests.helpers.paths import REFERENCE_DATA
 def manchester():
     """The Manchester contact benchmark (Shackleton and Iwnicki 2008), case A-2.2: shift, yaw, roll,
     force, load transfer."""
-    with open(REFERENCE_DATA / "manchester_a22_rolls.csv", newline="") as file:
+    with open(DATA / "manchester_a22_rolls.csv", newline="") as file:
         for row in csv.DictReader(file):
             left, right = float(row["normal_force_left_N"]), float(row["normal_force_right_N"])
             yield (float(row["lateral_shift_mm"]) * 1e-3, float(row["yaw_rad"]), float(row["roll_rad"]),
@@ -69,7 +69,7 @@ def test_roll_does_not_jump(window, yaw):
     assert jumps <= (20 if window[1] > 6.3e-3 else 0), jumps
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 def test_roll_does_not_jump_over_the_whole_range(yaw):
     for quantity in ("roll", "vertical_shift"):

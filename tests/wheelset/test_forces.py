@@ -170,6 +170,7 @@ def test_the_mean_normal_of_a_pressed_wheel_is_published():
             assert min(slopes) < -math.tan(patch.contact_angle) < max(slopes)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("pose", ["tread", "two_region", "yawed", "flange"])
 def test_the_half_space_has_the_same_outputs(pose):
     shift, yaw, transfer = POSES[pose]

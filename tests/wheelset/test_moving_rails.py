@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data import brute_force
+from tests.helpers import derivatives
 from tests.helpers.mirror import side_signs
-from tests.reference import brute_force
 from wrcontact.interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from wrcontact.interface.variables import VARIABLES
 from wrcontact.kernel import layout
@@ -97,7 +98,7 @@ def rolled_rail(system, side, roll):
 
 
 @pytest.mark.parametrize("name", ["compliant", "compliant strips",
-                                  pytest.param("compliant vertical", marks=pytest.mark.slow)])
+                                  pytest.param("compliant vertical", marks=pytest.mark.full)])
 @pytest.mark.parametrize("pose", POSES)
 def test_rolling_a_rail_is_another_inclination(name, pose):
     """Of a compliant wheelset, whose height and roll are given, in all it reports in the track."""
@@ -136,7 +137,7 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
 
 
 @pytest.mark.parametrize("name", ["rigid hertz", "elastic", pytest.param("elastic strips",
-                                                                         marks=pytest.mark.slow)])
+                                                                         marks=pytest.mark.full)])
 @pytest.mark.parametrize("pose", POSES[:3])
 def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name, pose):
     """Where wheels sink does not hang on the frame in which it was found: the same vertical shift and roll as
@@ -160,10 +161,11 @@ def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name
         assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=1e-7)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("moved", [dict(left_rail_lateral=-10e-3),
-                                   pytest.param(dict(right_rail_lateral=10e-3), marks=pytest.mark.slow)])
+                                   pytest.param(dict(right_rail_lateral=10e-3), marks=pytest.mark.full)])
 @pytest.mark.parametrize("pose", [(1e-3, math.radians(1)),
-                                  pytest.param((-4e-3, math.radians(-0.5)), marks=pytest.mark.slow)])
+                                  pytest.param((-4e-3, math.radians(-0.5)), marks=pytest.mark.full)])
 def test_gauge_widening_is_that_of_brute_force(moved, pose):
     """10 mm on one side, with yaw."""
     plain = brute_force.track()
@@ -180,6 +182,7 @@ def test_gauge_widening_is_that_of_brute_force(moved, pose):
             assert getattr(mine.contact, part) == pytest.approx(getattr(theirs, part), abs=3e-7), (side, part)
 
 
+@pytest.mark.full
 def test_a_rolled_rail_with_yaw_is_that_of_brute_force():
     """Another head, displaced as the crown's centre says (see rolled_rail)."""
     roll, pose = -0.007, (3e-3, math.radians(1))
@@ -237,8 +240,6 @@ def test_in_the_mirror_left_and_right_change_places(name):
 def test_derivatives_are_those_of_differences(name, moved):
     """Of all outputs with respect to all inputs of the rails, at rails that are moved and at rails that begin
     to move; tests/tangent/test_derivatives.py has the method."""
-    from tests.tangent import test_derivatives as tangent
-
     stepper = wrcontact.ContactSystem(**METHODS[name]).stepper()
     pose = (1.2e-3, 0.011)
     given = height_and_roll(*pose, **moved) if name == "compliant" else {}
@@ -246,25 +247,23 @@ def test_derivatives_are_those_of_differences(name, moved):
     numbers = [layout.IN_LATERAL_SHIFT, layout.IN_YAW]
     numbers += [k for k, one in enumerate(VARIABLES[:layout.INPUT_COUNT]) if ".rail_" in one.name]
     for number in numbers:
-        status, rates = tangent.derivative(stepper, row, number)
-        wanted, apart, _ = tangent.differences(stepper, row, number)
-        size = tangent.scale(rates, number)
-        clear = (apart / size <= tangent.CLEAR) & tangent.CONTINUOUS
+        status, rates = derivatives.derivative(stepper, row, number)
+        wanted, apart, _ = derivatives.differences(stepper, row, number)
+        size = derivatives.scale(rates, number)
+        clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
         assert status <= Status.UNLOADED and clear.mean() > 0.6
-        assert np.abs((rates - wanted) / size)[clear].max() < 3 * tangent.AGREE
+        assert np.abs((rates - wanted) / size)[clear].max() < 3 * derivatives.AGREE
 
 
 def test_yaw_that_begins_over_a_rolled_rail_has_a_derivative():
-    from tests.tangent import test_derivatives as tangent
-
     stepper = wrcontact.ContactSystem(normal_model="hertz").stepper()
     row = wrcontact.ContactSystem().evaluate(1.2e-3, 0.0, 8e4, right_rail_roll=0.005).inputs
-    status, rates = tangent.derivative(stepper, row, layout.IN_YAW)
-    wanted, apart, _ = tangent.differences(stepper, row, layout.IN_YAW)
-    size = tangent.scale(rates, layout.IN_YAW)
-    clear = (apart / size <= tangent.CLEAR) & tangent.CONTINUOUS
+    status, rates = derivatives.derivative(stepper, row, layout.IN_YAW)
+    wanted, apart, _ = derivatives.differences(stepper, row, layout.IN_YAW)
+    size = derivatives.scale(rates, layout.IN_YAW)
+    clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
     assert status == Status.VALID and clear.mean() > 0.6
-    assert np.abs((rates - wanted) / size)[clear].max() < 3 * tangent.AGREE
+    assert np.abs((rates - wanted) / size)[clear].max() < 3 * derivatives.AGREE
 
 
 def test_the_step_before_does_not_matter():
@@ -328,7 +327,7 @@ SNAPPING = {
 }
 
 
-@pytest.mark.parametrize("model", ["analyn", pytest.param("hertz", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("model", ["analyn", pytest.param("hertz", marks=pytest.mark.full)])
 @pytest.mark.parametrize("case", SNAPPING)
 def test_a_wheelset_that_is_about_to_snap_stands(case, model):
     """Rigid and elastic. At the height and roll of an elastic one a compliant wheelset carries its loads, but

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data import brute_force
+from tests.helpers import derivatives
 from tests.helpers.mirror import side_signs
-from tests.reference import brute_force
 from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.status import Status
@@ -68,7 +69,7 @@ def outputs(rows, **parameters):
 
 
 @pytest.mark.parametrize("methods", METHODS)
-@pytest.mark.parametrize("sides", ["all", pytest.param("profiles", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("sides", ["all", pytest.param("profiles", marks=pytest.mark.full)])
 def test_in_the_mirror_left_and_right_change_places(sides, methods):
     """Lateral shift, yaw and roll change their signs, and each side has the outputs of the other."""
     chosen, methods = SIDES[sides], METHODS[methods]
@@ -130,9 +131,10 @@ UNLIKE = {
 }
 
 
-@pytest.mark.parametrize("case", UNLIKE)
-@pytest.mark.parametrize("pose", [(5.5e-3, 0.02), pytest.param((0.5e-3, 0.0), marks=pytest.mark.slow),
-                                  pytest.param((-6.2e-3, -0.01), marks=pytest.mark.slow)])
+@pytest.mark.parametrize("case", ["profiles", *(pytest.param(case, marks=pytest.mark.full)
+                                                for case in ("inclinations", "radii"))])
+@pytest.mark.parametrize("pose", [(5.5e-3, 0.02), pytest.param((0.5e-3, 0.0), marks=pytest.mark.full),
+                                  pytest.param((-6.2e-3, -0.01), marks=pytest.mark.full)])
 def test_rigid_positions_are_those_of_brute_force(case, pose):
     given, track, changed = UNLIKE[case]
     radii = given.get("nominal_radius", (0.46, 0.46))
@@ -184,19 +186,17 @@ def test_forces_balance_about_the_centre():
 @pytest.mark.parametrize("methods", ["rigid hertz", "elastic", "compliant"])
 def test_derivatives_are_those_of_differences(methods):
     """At one pose, for all outputs and inputs: tests/tangent/test_derivatives.py has the method."""
-    from tests.tangent import test_derivatives as tangent
-
     chosen = METHODS[methods]
     stepper = wrcontact.ContactSystem(**SIDES["all"], **chosen).stepper()
     compliant = chosen.get("contact_mode") == "compliant"
     for row in rows(SIDES["all"], chosen.get("contact_mode"), count=2):
-        for number in tangent.COMPLIANT_INPUTS if compliant else tangent.INPUTS:
-            status, rates = tangent.derivative(stepper, row, number)
-            wanted, apart, _ = tangent.differences(stepper, row, number)
-            size = tangent.scale(rates, number)
-            clear = (apart / size <= tangent.CLEAR) & tangent.CONTINUOUS
+        for number in derivatives.COMPLIANT_INPUTS if compliant else derivatives.INPUTS:
+            status, rates = derivatives.derivative(stepper, row, number)
+            wanted, apart, _ = derivatives.differences(stepper, row, number)
+            size = derivatives.scale(rates, number)
+            clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
             assert status <= Status.UNLOADED and clear.mean() > 0.8
-            assert np.abs((rates - wanted) / size)[clear].max() < tangent.AGREE
+            assert np.abs((rates - wanted) / size)[clear].max() < derivatives.AGREE
 
 
 def test_the_half_space_sees_both_sides():

@@ -31,7 +31,8 @@ class Kernel:
             for name in module.functions:
                 self.homes.setdefault(name, []).append(module.name)
         #: The module of each rule.
-        self.rule_homes = {name: home for home in RULE_MODULES for name in self.modules[home].functions}
+        self.rule_homes = {name: home for home in RULE_MODULES if home in self.modules
+                           for name in self.modules[home].functions}
         self.known_returns, self.wanted, self.known_writes, self.known_active = {}, set(), {}, {}
 
     def home(self, module, name):

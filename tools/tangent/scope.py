@@ -7,7 +7,7 @@ from functools import cache
 @cache
 def parameters(node):
     """(name, kind) of the parameters of a function, as annotated."""
-    kinds = {"float": "float", "int": "int", "'float[:]'": "array"}
+    kinds = {"float": "float", "int": "int", "bool": "bool", "'float[:]'": "array"}
     return [(argument.arg, kinds[ast.unparse(argument.annotation)]) for argument in node.args.args]
 
 

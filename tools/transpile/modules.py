@@ -41,6 +41,10 @@ def read_modules(kernel):
         for name, text in tangent_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
         tangents = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
+    rooms = {module.name: module.room for module in sources}
+    for module in tangents:
+        room = rooms.get(module.name.removeprefix("tangent_"), "tangent")
+        module.room = "tangent" if room == "tangent" else f"tangent_{room}"
     modules = [*(module for module in sources if module.name not in RULE_MODULES), *tangents]
     for module in modules:
         module.refuse_silent_traps()
@@ -57,13 +61,15 @@ class Module:
         self.text = flat_imports(path) if text is None else text
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
+        self.marks = {node.name: mark.id for node in ast.parse(path.read_bytes()).body
+                      if isinstance(node, ast.FunctionDef) for mark in node.decorator_list}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
         self.imports = {node.module: {alias.name for alias in node.names} for node in self.tree.body
                         if isinstance(node, ast.ImportFrom) and node.level}
         #: Offsets and sizes of records, which only the lowered text has.
         self.offsets = {node.target.id: ast.literal_eval(node.value) for node in self.tree.body
                         if isinstance(node, ast.AnnAssign)} if self.name == "layout" else {}
-        self.prepares = self.name.startswith("prepare_")
+        self.room = path.parent.name
         self.tangent = self.name.startswith("tangent_")
 
     def refuse(self, node, why):

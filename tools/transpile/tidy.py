@@ -6,15 +6,8 @@ import re
 from .modules import Refused
 
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
-#: Modules that a usual step does not enter, and the function of each that decides it. All others of theirs
-#: are kept out of line: a compiler inlines only so much of one unit, and what it spent on them it took from
-#: the usual step (4 % when yawed).
-SELDOM = {"separation": "separation"} | dict.fromkeys((
-    "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples",
-    "overlaps", "planes", "pressed", "pressed_regions", "touching", "trial"))
-#: Small functions of the innermost loops that are always inlined. Without it the compiler leaves them out
-#: where the unit has grown enough, and a rigid step takes up to 5 % more instructions.
-INLINED = {("bounds", "clear_exponent"), ("locus", "around_wheel")}
+#: How a function is declared that has a mark (kernel/layout/marks.py), or none.
+STORAGE = {None: "static inline", "seldom": "static OUT_OF_LINE", "inlined": "static ALWAYS_INLINE"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
                  "log log10 log1p pow sin sinh sqrt tan tanh".split())
@@ -24,23 +17,15 @@ SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min
 
 def storage(module, function):
     """How a function is declared."""
-    if (module.name, function) in INLINED:
-        return "static ALWAYS_INLINE"
-    return "static inline" if SELDOM.get(module.name, function) == function else "static OUT_OF_LINE"
+    return STORAGE[module.marks.get(function)]
 
 
 def tidy_header(module, text, constants):
-    """A header with spans.h, the headers of other modules, constants and prototypes."""
-    guard = f"WRCONTACT_KERNEL_{module.name.upper()}_H"
-    headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
-    includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers
-                                                   if name != "pyc_math_c.h"]
+    """Lines of the constants and prototypes of a module."""
     definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
     found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
     prototypes = [f"{storage(module, name)} {line};" for line, _, name in found if name != "init"]
-    parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes,
-             ["#endif"]]
-    return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+    return [f"/* {module.place} */", *definitions, *prototypes]
 
 
 def definition(name, value):
@@ -69,7 +54,7 @@ def tidy_code(module, text):
         raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
                       f"{sorted(set(chunks) ^ set(module.functions))}")
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]
-    return "\n\n".join([banner(module), f'#include "{module.name}.h"', *documented]) + "\n"
+    return "\n\n".join([banner(module), *documented]) + "\n"
 
 
 def tidy_body(body):
@@ -80,6 +65,8 @@ def tidy_body(body):
         if uses == 1 or uses == 2 and called:
             body = re.sub(rf"^ *\w+ {name};\n", "", body, flags=re.MULTILINE)
             body = re.sub(rf"^( *){name} = ", r"\1", body, flags=re.MULTILINE)
+    # a cast that Pyccel writes or not, by what it has translated before
+    body = re.sub(r"<< \(int64_t\)\((\w+)\)", r"<< \1", body)
     return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body,
                   flags=re.MULTILINE)
 
@@ -101,7 +88,7 @@ def comment(text):
 
 def banner(module):
     """First lines of a generated file."""
-    origin = f"Generated from {module.place} by tools/transpile_kernel.py; change that one."
+    origin = f"---- From {module.place}; change that one."
     return comment(f"{origin}\n\n{ast.get_docstring(module.tree) or ''}".rstrip()).rstrip()
 
 

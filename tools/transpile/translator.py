@@ -13,17 +13,20 @@ PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version
 START = Path(__file__).with_name("pyccel_start.py")
 
 
-def run_pyccel(modules):
-    """Pyccel's header and code, by module name."""
+def run_pyccel(modules, stubs=None):
+    """Pyccel's header and code, by module name; ``stubs`` are texts of modules that these import and that are
+    not translated."""
     found = installed_pyccel()
     if found != PYCCEL_VERSION:
         raise Refused(f"it needs Pyccel {PYCCEL_VERSION}, and here is {found}; pip install \".[dev]\"")
     with tempfile.TemporaryDirectory() as folder:
         for module in modules:
             Path(folder, f"{module.name}.py").write_bytes(module.source())
+        for name, text in (stubs or {}).items():
+            Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
         command = [sys.executable, str(START), "make",
                    "--language", "C", "--convert-only", "--output", "out", "--files",
-                   *(f"{module.name}.py" for module in modules)]
+                   *(f"{module.name}.py" for module in modules), *(f"{name}.py" for name in stubs or ())]
         # Pyccel would name its folder after the worker of a test run, as __pyccel__gw0
         environment = {name: value for name, value in os.environ.items() if name != "PYTEST_XDIST_WORKER"}
         run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE,

@@ -279,10 +279,13 @@ def figures(more: Annotated[list[str] | None,
 
     Example: wrcontact figures --only 7.2 7.4
     """
-    from .figures import run_figures
+    from ..study.figures import INDEX, summary, write_figures
+    from .report import console
 
     with sentences():
-        run_figures(output, (only or []) + (more or []))
+        found = write_figures(output, (only or []) + (more or []))
+        console().print(summary(found))
+        console().print(f"{len(found)} figures, their tables and {INDEX} written to {output}", soft_wrap=True)
 
 
 def _refuse_no_picture(output):

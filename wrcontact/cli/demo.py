@@ -65,6 +65,7 @@ def run_demo(folder, native=False):
     passes."""
     stored = stored_run()
     with sentences(), working("building the FMU", 3) as advance:
+        Path(folder).mkdir(parents=True, exist_ok=True)     # before the work
         fmu = built(folder, native)
         advance(words="running the FMU")
         answers, seconds = apart(step_through, fmu, stored)
@@ -146,7 +147,7 @@ def step_through(fmu, stored):
         slave.terminate()
         slave.freeInstance()
     columns = dict(zip(references, np.array(seen, dtype=float).T))
-    return {VARIABLES[reference].name: columns[reference] for reference in sorted(columns)}, np.array(seconds)
+    return {v.name: columns[REFERENCE[v.name]] for v in select(OUTPUT)}, np.array(seconds)
 
 
 def _stepped(slave, stored):
@@ -154,9 +155,10 @@ def _stepped(slave, stored):
 
     As in a simulation, a step sets the inputs, steps, and reads every output.
     """
-    inputs = [REFERENCE[name] for name in stored_inputs(stored)]
-    reals, integers = select(OUTPUT, REAL), select(OUTPUT, INTEGER)
-    rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
+    names = stored_inputs(stored)
+    inputs = [REFERENCE[name] for name in names]
+    reals, integers = ([REFERENCE[v.name] for v in select(OUTPUT, type)] for type in (REAL, INTEGER))
+    rows = np.column_stack([stored[name] for name in names]).tolist()
     instants, seen, seconds = stored["time"].tolist(), [], []
     step_size = instants[1] - instants[0]
     for now, row in zip(instants, rows):

@@ -2,8 +2,8 @@
 
 >>> import wrcontact
 >>> report = wrcontact.check(wrcontact.ContactSystem(rail="60E1"))
->>> report.usable, round(report.nearest_jump * 1e3, 2), round(report.conicity.level[2], 3)      # at 3 mm
-(True, 0.21, 0.174)
+>>> report.usable, round(report.nearest_jump * 1e3, 2), round(float(report.conicity.level[2]), 3)   # at 3 mm
+(True, 0.23, 0.174)
 
 The package uses a ContactSystem; nothing in a simulation or an FMU uses it.
 """

@@ -74,7 +74,7 @@ def check(system):
     raises no error; it is reported in ``usable`` and ``remarks``.  The equivalent conicity follows EN 15302.
 
     >>> import wrcontact
-    >>> wrcontact.check(wrcontact.ContactSystem()).conformal[1].side
+    >>> wrcontact.check(wrcontact.ContactSystem()).conformal[-1].side
     'right'
     """
     rolling, level = _wheelset(system, "rigid"), _wheelset(system, "compliant")

@@ -49,35 +49,35 @@ def strip_forces(exact, nu):
     scale = bound / (MEAN_AXIS**2 * SHEAR_MODULUS) / np.array([1.0, 1.0, MEAN_AXIS])
     found = np.zeros(exact["forces"].shape[:-1] + (3,))
     workspace = np.zeros(layout.WORK_SIZE)
-    rolling = layout.Work.at(workspace).rolling
-    rolling.bare = True
+    work = layout.Work.at(workspace)
+    rubbing, work.rolling.bare = work.patch, True
     tables = uncorrected_tables(nu)
     for k, ratio in enumerate(exact["ratio"].tolist()):
         patch = elliptic_patch(MEAN_AXIS * ratio**0.5, MEAN_AXIS * ratio**-0.5, FORCE, poisson_ratio=nu)
         wide = np.array([1.0, 1.0, (1.0 + 0.66 * ratio**-2.7) ** 0.5])
         creepages = -rho[..., None] * direction / wide * scale / exact["creep_coefficients"][k]
         for place in np.ndindex(rho.shape):
-            rolling.creepage_x, rolling.creepage_y, rolling.spin = creepages[place]
-            rolling.friction = FRICTION
+            rubbing.creepage_x, rubbing.creepage_y, rubbing.spin = creepages[place]
+            rubbing.friction = FRICTION
             roll(patch, tables, workspace)
-            found[(k, *place)] = rolling.force_x, rolling.force_y, rolling.moment / MEAN_AXIS
+            found[(k, *place)] = rubbing.creep_x, rubbing.creep_y, rubbing.creep_moment / MEAN_AXIS
     return found / bound
 
 
 def strip_coefficients(tables, work, ratio):
     """C11, C22, C23 (3,) of an ellipse with this a/b by the kernel's strips, on records Tables with a shear
     modulus of 1 Pa and Work."""
-    rolling, solved = work.rolling, work.contact.solved
-    totals = solved.patches[0].totals
-    solved.patches[0].rule = layout.RULE_ELLIPSE
+    patch, totals = work.patch, work.patch.totals
+    patch.rule = layout.RULE_ELLIPSE
     half_width = ratio**-0.5
     totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
     totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
-    sections.cut_patch(solved, 0, rolling)
-    rolling.half_length, rolling.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
-    stiffness.find_stiffnesses(tables, rolling)
+    sections.cut_patch(patch, work.contact.strips)
+    patch.half_length, patch.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
+    stiffness.find_stiffnesses(tables, work.rolling, patch)
+    blocks = work.rolling.blocks
     a, h, along, across, turning = np.array([[block.half_length, block.stop - block.start, block.along,
-                                              block.across, block.turning] for block in rolling.blocks]).T
+                                              block.across, block.turning] for block in blocks]).T
     return np.array([np.pi * (along * a * h).sum(), np.pi * (across * a * h).sum(),
                      0.5 * np.pi * (turning * a**2 * h).sum()])
 

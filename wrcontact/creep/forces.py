@@ -62,37 +62,35 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
         model = family_of("tangential_model").method(tangential_model)
     tables = model_tables(model.kernel_number, patch.youngs_modulus, patch.poisson_ratio)
     workspace = np.zeros(layout.WORK_SIZE)
-    rolling = layout.Work.at(workspace).rolling
-    rolling.creepage_x, rolling.creepage_y = creepage_x, creepage_y
-    rolling.spin, rolling.friction = spin, friction
-    rolling.published = getattr(model, "published_spin", 0) == 1
+    work = layout.Work.at(workspace)
+    found = work.patch
+    found.creepage_x, found.creepage_y, found.spin, found.friction = creepage_x, creepage_y, spin, friction
+    work.rolling.published = getattr(model, "published_spin", 0) == 1
     roll(patch, tables, workspace)
     if model.name == HalfspaceRolling.name:
-        roll_on_halfspace(patch, rolling)
-    return CreepForces(rolling.force_x, rolling.force_y, rolling.moment, rolling.stick_share,
-                       rolling.max_shear)
+        roll_on_halfspace(patch, found)
+    return CreepForces(found.creep_x, found.creep_y, found.creep_moment, found.stick_share, found.max_shear)
 
 
-def roll_on_halfspace(patch, rolling):
+def roll_on_halfspace(patch, found):
     """The creep force of a patch that has been cut into strips, by the complete theory."""
-    from ..reference.rolling_step import roll_strips  # needs scipy
+    from ..halfspace.rolling_step import roll_strips  # needs scipy
     shear_modulus = patch.youngs_modulus / (2.0 * (1.0 + patch.poisson_ratio))
-    roll_strips(rolling, shear_modulus=shear_modulus, poisson_ratio=patch.poisson_ratio)
+    roll_strips(found, shear_modulus=shear_modulus, poisson_ratio=patch.poisson_ratio)
 
 
 def roll(patch, tables, workspace):
     """Cut a patch into the strips of the workspace (n,) and find its creep force there, with the creepages
     and the friction that stand there."""
-    write_patch(patch, layout.Work.at(workspace).contact.solved)
+    work = layout.Work.at(workspace)
+    write_patch(patch, work.patch, work.contact.strips)
     kernel = default_kernel()
     kernel.cut_patch(workspace)
     kernel.solve_tangential(tables, workspace)
 
 
-def write_patch(patch, solved):
-    """Write a patch as the only one of solved patches."""
-    solved.count = 1
-    written = solved.patches[0]
+def write_patch(patch, written, strips):
+    """Write a patch as a record of the kernel, which lies on ``strips``."""
     written.rule = layout.RULE_ELLIPSE if patch.ellipse else layout.RULE_STRAIGHT
     written.slant = patch.slant
     totals = written.totals
@@ -114,7 +112,7 @@ def write_patch(patch, solved):
     totals.centroid = moment / np.sum(width * 0.5 * (before + after))
     inner = slice(1, -1)
     written.first, written.last = 0, len(patch.station) - 3
-    for strip, station, length, load in zip(solved.strips, patch.station[inner].tolist(),
+    for strip, station, length, load in zip(strips, patch.station[inner].tolist(),
                                             patch.half_length[inner].tolist(),
                                             patch.line_load[inner].tolist()):
         strip.station, strip.width = station, 1.0

@@ -1,13 +1,10 @@
-"""Packs wrcontact into FMUs.
+"""Packs wrcontact into FMUs: the Python FMU in build.py, the native ones in native.py.
 
-The sources of the FMUs are in ``fmu_src``: beside this package when wrcontact is installed, otherwise at the
-top of the checkout.  Its modules are imported as ``wrcontact.fmu.description`` and so on.
+What is packed as it is (the slave, the native FMUs' C, the icon) lies in the folder ``fmu_src``, whose files
+are read and never imported.
 """
 
-from .sources import SOURCES
-
-__path__.append(str(SOURCES))
-
-from .build import build_fmu  # noqa: E402  it imports modules from there
+from .archive import SOURCES
+from .build import build_fmu
 
 __all__ = ["SOURCES", "build_fmu"]

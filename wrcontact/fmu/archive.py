@@ -11,6 +11,9 @@ from .. import ContactSystem
 from ..profiles.catalogue import BUILDERS, standard_name
 from .online import PACKAGE
 
+#: The folder of the files that are packed as they are: inside an installed package, beside it in a checkout.
+SOURCES = next((folder for folder in (PACKAGE / "fmu_src", PACKAGE.parent / "fmu_src") if folder.is_dir()),
+               PACKAGE / "fmu_src")
 #: Time of every entry in the archive, so that the time of the build does not change the bytes.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 

@@ -14,11 +14,10 @@ from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
-from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
+from .archive import SOURCES, archive, chosen_profiles, fingerprint, licence, problems_of
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page
 from .online import kernel_libraries, online_files
-from .sources import SOURCES
 from .terminals import terminals_and_icons
 
 SLAVE = "wheelset_contact"

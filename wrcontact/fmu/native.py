@@ -8,17 +8,16 @@ from pathlib import Path
 import fmpy
 
 from .. import __version__
-from ..interface.variables import VARIABLES
+from ..interface.variables import PLACE, REFERENCE, VARIABLES
+from ..kernel.binding.compiler import KERNEL_UNITS, compile_platform
 from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..progress import tracked
 from ..storage.atomic import write_atomically
 from . import description, description3, native_model
-from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
-from .compilers import compile_platform
+from .archive import SOURCES, archive, chosen_profiles, fingerprint, licence, problems_of
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
-from .sources import SOURCES
 from .terminals import terminals_and_icons
 
 NATIVE = SOURCES / "native"
@@ -109,17 +108,26 @@ def described(token, version, tool, starts, profiles):
 def sources(version, token, starts, profiles):
     """Everything that the library is compiled from, by path."""
     headers = Path(fmpy.__file__).parent / "c-code"
-    blocks = [(first, run) for _, first, run in description3.variable_blocks()]
+    blocks = blocks_of(version)
     kernel = [file for folder in ("native", "generated")
               for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
-    adapters = [NATIVE / name for name in (*adapter_headers(version), *adapter_units(version))]
+    adapters = [file for file in sorted(NATIVE.glob("*.[ch]")) if serves(file, version)]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
         **{file.name: file.read_bytes() for file in adapters},
         **{name: (headers / name).read_bytes() for name in HEADERS[version]},
-        "model_sizes.h": native_model.sizes_header(token, profiles, blocks).encode(),
-        "model.c": native_model.model_code(starts, profiles, blocks).encode(),
+        "model_sizes.h": native_model.sizes_header(blocks).encode(),
+        "model.c": native_model.model_code(token, starts, profiles, blocks).encode(),
     }
+
+
+def blocks_of(version):
+    """(first, run) of every value reference from 0 on, as in model.h: RETIRED where there is no variable."""
+    found = {block.reference: (block.first, block.run) for block in description3.variable_blocks()}
+    if version == 2:
+        found = {REFERENCE[name]: (place, description3.SINGLE) for name, place in PLACE.items()}
+    nothing = description3.RETIRED, description3.SINGLE
+    return [found.get(reference, nothing) for reference in range(max(found) + 1)]
 
 
 def variable_names(version):
@@ -129,29 +137,27 @@ def variable_names(version):
     return [name for name, *_ in description3.variable_blocks()]
 
 
-def adapter_units(version):
-    """The hand-written C files of one version of FMI."""
-    return (*(f"fmi{version}{part}.c" for part in ("", "_values", "_absent")),
-            "wheelset.c", "wheelset_answers.c", "wheelset_tables.c", "wheelset_states.c", "sentences.c")
-
-
-def adapter_headers(version):
-    """The hand-written headers of one version of FMI."""
-    return f"fmi{version}_instance.h", "wheelset.h", "wheelset_parts.h", "sentences.h", "model.h"
+def serves(file, version):
+    """Whether a hand-written C file belongs to one version of FMI: all do but the other version's own."""
+    return not file.name.startswith(f"fmi{5 - version}")
 
 
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
-    kernel = [f"kernel/native/wrcontact_{unit}.c" for unit in ("kernel", "prepare", "tangent")]
-    return [*adapter_units(version), "model.c", *kernel]
+    adapters = [file.name for file in sorted(NATIVE.glob("*.c")) if serves(file, version)]
+    return [*adapters, "model.c", *KERNEL_UNITS]
 
 
 def libraries(contents, units, platforms, folder, cache):
     """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
-    return {platform: compile_platform(platform, place, units, MODEL, HIDDEN, cache)
-            for platform in tracked(platforms, "platforms")}
+
+    def compiled(platform):
+        return compile_platform(platform, place, units, MODEL, HIDDEN, cache,
+                                lambda made, total: tracked(made, f"compiling for {platform}", total))
+
+    return {platform: compiled(platform) for platform in tracked(platforms, "platforms")}
 
 
 def write_sources(contents, folder):

@@ -5,23 +5,25 @@ import ast
 import sys
 from pathlib import Path
 
-from ..kernel.binding.library import HERE, LibraryUnusable, open_library
+from ..interface.references import LIST
+from ..kernel.binding.compiler import KERNEL_UNITS, CompilerProblem, compile_platform, has_zig
+from ..kernel.binding.library import HERE, LibraryUnusable, fingerprint, open_library
 from ..kernel.binding.platforms import LIBRARY_NAME, library_name
 from ..kernel.binding.reach_table import DATA
 from ..kernel.binding.rolling_table import CORRECTION
 from ..progress import tracked
-from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference", "progress",
-                     "convert", "pages"})
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "halfspace", "progress",
+                     "results/convert", "results/pages"})
 
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py")) | {DATA, CORRECTION}
+    kernel = set((PACKAGE / "kernel").rglob("*.py")) - {PACKAGE / "kernel" / "binding" / "compiler.py"}
+    files = imported_from(PACKAGE / ENTRANCE) | kernel | {DATA, CORRECTION, LIST}
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 
@@ -43,6 +45,13 @@ def kernel_libraries(platforms):
         print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}",
               file=sys.stderr)
     return {f"kernel/{name}": library for name, library in made.items()}
+
+
+def compile_kernel(name):
+    """The kernel's library for the platform ``name`` as bytes."""
+    if f"INT64_C(0x{fingerprint():015x})" not in HERE.joinpath("generated", "unit.c").read_text():
+        raise CompilerProblem("the kernel's generated C does not belong to this version of its source")
+    return compile_platform(name, PACKAGE, KERNEL_UNITS, Path(library_name(name)).stem)
 
 
 def imported_from(file):
@@ -73,7 +82,8 @@ def files_of(folder, node):
     from."""
     folder = folder.joinpath(*(node.module or "").split("."))
     for target in (folder, *(folder / alias.name for alias in node.names)):
-        if target != PACKAGE and OFFLINE.isdisjoint(target.relative_to(PACKAGE).parts):
+        place = target.relative_to(PACKAGE)
+        if target != PACKAGE and OFFLINE.isdisjoint(each.as_posix() for each in (place, *place.parents)):
             yield from (file for file in (target.with_suffix(".py"), target / "__init__.py")
                         if file.is_file())
 

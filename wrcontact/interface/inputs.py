@@ -22,10 +22,10 @@ INPUTS = (
     Input("roll_guess", "rad", 1e-3, "Where the search for the roll angle starts; changes the cost of a "
           "step, never its answer", -0.5, 0.5, hint=True),
     Input("normal_force", "N", 1e5, "Load per wheel before load transfer: normal force, total over its "
-          "patches, or its vertical component (parameter load); the contact_mode compliant reads it for the "
-          "equilibrium only", 0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
+          "patches, or its vertical component (parameter load); in compliant mode used only for the "
+          "equilibrium outputs", 0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
     Input("load_transfer", "1", 0.1, "Share L of the load N moved from left to right: N (1 + L) on the right "
-          "wheel, N (1 - L) on the left; the contact_mode compliant reads it for the equilibrium only",
+          "wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs",
           -1.0, 1.0, positional=True),
     Input("vertical_shift_input", "m", 1e-3, "Vertical shift of the wheelset in the contact_mode compliant, "
           "positive down; other modes do not read it",

@@ -23,14 +23,14 @@ def _rail(side):
 
 
 MOTION = (
-    Input("speed", "m/s", 10.0, "Speed along the track; no creepages are computed where it and wheel_rate "
-          "are zero", -SPEED_LIMIT, SPEED_LIMIT, limited=True),
+    Input("speed", "m/s", 10.0, "Speed along the track; creepages need speed or wheel_rate",
+          -SPEED_LIMIT, SPEED_LIMIT, limited=True),
     Input("lateral_velocity", "m/s", 0.01, "How fast the lateral shift grows",
           -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
     Input("vertical_velocity", "m/s", 0.01, "How fast the vertical shift grows in the contact_mode "
           f"compliant; {DERIVED}", -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
-    Input("yaw_rate", "rad/s", 0.1, "How fast the yaw grows; the turning of the track in a curve is no part "
-          "of it", -RATE_LIMIT, RATE_LIMIT, limited=True),
+    Input("yaw_rate", "rad/s", 0.1, "How fast the yaw grows, excluding the rotation of the track in a curve",
+          -RATE_LIMIT, RATE_LIMIT, limited=True),
     Input("roll_rate", "rad/s", 0.01, f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
           -RATE_LIMIT, RATE_LIMIT, limited=True),
     Input("wheel_rate", "rad/s", 20.0, "Rotation of the wheelset about its axle, positive when it rolls "

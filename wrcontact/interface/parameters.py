@@ -9,8 +9,7 @@ of the command line follow from :data:`PARAMETERS`.
 from dataclasses import dataclass, replace
 
 from ..methods import FAMILIES
-from ..methods.choices import check_choice
-from ..methods.numbers import Checked, Number, frozen, number, unit_behind, warn_unusual
+from ..methods.numbers import Checked, Number, check_choice, frozen, number, unit_behind, warn_unusual
 from .friction import Friction
 from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 
@@ -82,7 +81,7 @@ SMOOTHING = Number(
     0.0,
     0.5e-3,
     "m",
-    "How far the curve may keep from the points of a profile file, in the mean of squares",
+    "Permitted RMS distance between the curve and the points of a profile file",
     python_only=True,
 )
 DAMPING = Number(
@@ -109,7 +108,7 @@ class Parameter:
     meaning : words for the user.
     default : in Python; ``start`` for doors where None cannot be said.
     number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
-    family : its :class:`~wrcontact.methods.families.Family`; None but for methods.
+    family : its :class:`~wrcontact.methods.method.Family`; None but for methods.
     fmu_name : its name in an FMU, "" where an FMU does not have it.
     right : the keyword of the right side, of which it is the value on the left; "" for all others.  Its
         default, None, is the value on the right; an FMU has "" or 0 for that.

@@ -1,9 +1,9 @@
 """Everything that crosses the border of an FMU: the variables that follow from the rows of inputs, parameters
 and outputs.
 
-Registration, units, documentation and tests read it; nothing here knows FMI.  A variable's place in
-``VARIABLES`` is its value reference.  Outputs lie there in the order of the kernel's array, so that one copy
-moves them all.
+Registration, units, documentation and tests read it.  Outputs lie in ``VARIABLES`` in the order of the
+kernel's array, so that one copy moves them all.  A variable's place there moves when a row is added before
+it; its value reference never moves (references.py).
 """
 
 import math
@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from .inputs import ANSWERED, INPUTS
 from .outputs import SIDE, SIDES, STATION_COUNT, WHEELSET
 from .parameters import PARAMETERS
+from .references import numbered
 from .rows import AXES, Blocks, Run, Vector
 from .starts import STARTS
 from .units import UNITS  # noqa: F401  a part of the table
@@ -178,21 +179,22 @@ _STATUS = Variable(
 )
 
 VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_outputs()), _STATUS)
-REFERENCE = {variable.name: reference for reference, variable in enumerate(VARIABLES)}
+#: Place of every variable in the table, and its value reference in FMI 2.0.
+PLACE = {variable.name: place for place, variable in enumerate(VARIABLES)}
+REFERENCE = numbered(PLACE, 2)
 
-#: Value reference of the first of the equilibrium's two outputs.
-EQUILIBRIUM = REFERENCE["equilibrium.vertical_shift"]
-#: Value references of the first kernel output and of the status; between them the kernel's array lies without
-#: a hole.
-FIRST_OUTPUT = REFERENCE["roll"]
-STATUS = REFERENCE["status"]
+#: Place of the first of the equilibrium's two outputs.
+EQUILIBRIUM = PLACE["equilibrium.vertical_shift"]
+#: Places of the first kernel output and of the status; between them the kernel's array lies without a hole.
+FIRST_OUTPUT = PLACE["roll"]
+STATUS = PLACE["status"]
 
 
 def select(causality=None, type=None):
-    """Value references of the variables of one causality and type, in table order."""
+    """The variables of one causality and type, in table order."""
     return [
-        reference
-        for reference, variable in enumerate(VARIABLES)
+        variable
+        for variable in VARIABLES
         if causality in (None, variable.causality) and type in (None, variable.type)
     ]
 

@@ -141,6 +141,14 @@ class Checked:
         return {known.keyword or name: name for name, known in cls.numbers().items()}
 
 
+def check_choice(name, value, choices):
+    """ValueError, in a sentence that lists them, unless ``value`` is one of ``choices``."""
+    if value not in tuple(choices):  # a value need not have a hash
+        permitted = ", ".join(repr(choice) for choice in choices)
+        raise ValueError(f"{name} is {value!r}; permitted are {permitted}" if len(choices) > 1 else
+                         f"{name} is {value!r}; permitted is {permitted}")
+
+
 def unit_behind(unit):
     """``unit`` as it follows a number in a sentence, with a space; "" for "1"."""
     return "" if unit == "1" else f" {unit}"

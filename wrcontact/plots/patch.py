@@ -6,7 +6,7 @@ from matplotlib.colors import Normalize
 from scipy.interpolate import Akima1DInterpolator
 
 from ..conventions import SIDES
-from ..methods.choices import check_choice
+from ..methods.numbers import check_choice
 from .geometry import stations_along
 from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, given_axes, new_figure, styled
 

@@ -10,7 +10,7 @@ from ..interface.outputs import SIDE
 from ..interface.rows import Run
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from ..kernel import layout
-from ..methods.choices import check_choice
+from ..methods.numbers import check_choice
 
 SIDES = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
 #: The number of a side's outputs that each depth computes.

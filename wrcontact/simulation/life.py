@@ -1,6 +1,6 @@
 """Which call is permitted when: the phases of a simulation as FMI has them, its time and its stopTime.
 
-The native FMUs check the same in ``fmu_src/native/wheelset.c``, and refuse with the same sentences.
+The native FMUs check the same in ``fmu_src/native/wheelset*.c``, and refuse with the same sentences.
 """
 
 import math

@@ -1,7 +1,7 @@
 """The life cycle of one simulated wheelset, independent of FMI.
 
-Set values, initialise, step, read. Values are addressed by value reference, the index
-in the table of variables; :mod:`.life` says which call is permitted when::
+Set values, initialise, step, read. Values are addressed by value reference, as in FMI 2.0;
+:mod:`.life` says which call is permitted when::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -26,18 +26,24 @@ from ..interface.variables import (
     INTEGER,
     OUTPUT,
     PARAMETER,
+    PLACE,
     REAL,
+    REFERENCE,
     STATUS,
     STRING,
     VARIABLES,
 )
 from ..kernel import layout
-from ..methods.choices import check_choice
+from ..methods.numbers import check_choice
 from ..system import ContactSystem
 from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
 INPUTS = layout.INPUT_COUNT
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
+BY_REFERENCE = {REFERENCE[v.name]: v for v in VARIABLES}
+STATUS_REFERENCE = REFERENCE["status"]
+#: Value references of what is computed only when it is read.
+BALANCE = frozenset(REFERENCE[v.name] for v in VARIABLES[EQUILIBRIUM:FIRST_OUTPUT])
 START = np.array([v.start if v.type in (REAL, BOOLEAN) and v.start is not None else 0.0 for v in VARIABLES],
                  dtype=float)
 
@@ -73,13 +79,13 @@ class Session:
         self.life = Life()
         self._built_with = None  # the parameters that the stepper was built with
         self._stepper = None
-        self._values = START.copy()  # by value reference; strings live in ``parameters``
+        self._values = START.copy()  # by place in the table; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
         self._balanced = False  # the equilibrium is that of the inputs
         self._balance = None  # a stepper that finds it
         self._told = False  # this step's status has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
-        self._inputs = None  # the references of the last list that was set, if all are inputs
+        self._inputs = self._input_places = None  # the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
 
     # --- parameters ------------------------------------------------------------------------------
@@ -178,12 +184,14 @@ class Session:
         present = self._values
         if references != self._inputs or self.life.phase == TERMINATED:
             self._settable(references, values, REAL)
-            self._inputs = [reference for reference in references if reference < INPUTS]
-        for reference, value in zip(references, values, strict=True):
-            if reference >= INPUTS:
-                self._set_parameter(VARIABLES[reference], value)
-            if present[reference] != value:
-                present[reference] = value
+            self._input_places = [_place(reference, REAL) for reference in references]
+            only_inputs = all(place < INPUTS for place in self._input_places)
+            self._inputs = list(references) if only_inputs else None
+        for place, value in zip(self._input_places, values, strict=True):
+            if place >= INPUTS:
+                self._set_parameter(VARIABLES[place], value)
+            if present[place] != value:
+                present[place] = value
                 self._stale = True
 
     def get_reals(self, references):
@@ -194,7 +202,7 @@ class Session:
         if self.life.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
-        if not self._balanced and any(EQUILIBRIUM <= reference < FIRST_OUTPUT for reference in references):
+        if not self._balanced and any(reference in BALANCE for reference in references):
             self._find_equilibrium()
         return self._values[self._places].tolist()
 
@@ -217,8 +225,9 @@ class Session:
         """Set inputs that are switches, all of them or none."""
         self._settable(references, values, BOOLEAN)
         for reference, value in zip(references, values, strict=True):
-            if self._values[reference] != bool(value):
-                self._values[reference] = bool(value)
+            place = _place(reference, BOOLEAN)
+            if self._values[place] != bool(value):
+                self._values[place] = bool(value)
                 self._stale = True
 
     def get_booleans(self, references):
@@ -334,25 +343,24 @@ class Session:
 
 def _variable(reference, type):
     """The variable with this value reference, which must be of this type."""
-    if not 0 <= reference < len(VARIABLES):
-        raise Refused(f"value reference {reference} does not exist; they run from 0 to {len(VARIABLES) - 1}")
-    variable = VARIABLES[reference]
+    if reference not in BY_REFERENCE:
+        raise Refused(f"value reference {reference} does not exist; they run from 0 to {max(BY_REFERENCE)}")
+    variable = BY_REFERENCE[reference]
     if variable.type != type:
         raise Refused(f"{variable.name} is of type {variable.type}, not {type}")
     return variable
 
 
 def _place(reference, type):
-    """``reference`` itself, once it is known to be a variable of this type."""
-    _variable(reference, type)
-    return reference
+    """The place in the table of the variable with this value reference, which must be of this type."""
+    return PLACE[_variable(reference, type).name]
 
 
 def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
-        if reference >= EQUILIBRIUM:
-            raise Refused(f"{VARIABLES[reference].name} is an output and cannot be read before the "
+        if BY_REFERENCE[reference].causality == OUTPUT:
+            raise Refused(f"{BY_REFERENCE[reference].name} is an output and cannot be read before the "
                           "initialisation")
 
 

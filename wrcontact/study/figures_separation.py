@@ -6,9 +6,20 @@ from functools import cache
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from .figure import HOLDS, PARTLY, SourceFigure, stacked
+from .figure import (
+    DEGREE,
+    HOLDS,
+    PARTLY,
+    REACH,
+    SourceFigure,
+    outline_columns,
+    percent,
+    sizes,
+    stacked,
+    study_patch,
+    study_sizes,
+)
 from .figures_search import outlines
-from .patch_tables import DEGREE, REACH, outline_columns, percent, sizes, study_patch, study_sizes
 from .sections import Separation
 
 FINE_DS = 0.05e-3   #: distance of nodes for patches that are compared with each other [m]

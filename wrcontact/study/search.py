@@ -8,13 +8,16 @@ Both roll the wheelset until the smallest vertical distances of the two wheels a
 
 import math
 from dataclasses import dataclass
+from math import cos, hypot, sin, sqrt
 
 import numpy as np
 
 from ..conventions import SIDES
 from .surfaces import Pose, ProfileMatrix, Surfaces, profile_nodes, rail_polyline
-from .wang import longitudinal_limit
 
+#: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its
+#: flange (from -38.4 mm) [m].
+FLANGE = -36.5e-3
 #: A roll beyond this is no wheelset on its track any more [rad]; 12 mm of lateral shift need 0.013.
 ROLL_LIMIT = 0.12
 STEP_LIMIT = 400
@@ -181,3 +184,65 @@ def exact_result(system, lateral_shift=0.0, yaw=0.0):
     points = (state.left.contact, state.right.contact)
     contacts = (Contact(point.x_wheel, point.y_wheel, point.y_rail) for point in points)
     return Result(state.roll, state.vertical_shift, *contacts, 0, 0, int(state.status) <= 1)
+
+
+def lever_share(system, shift):
+    """What the difference of the distances changes with roll, as a share of what source eq. (4.6)
+    takes, y_R - y_L; no yaw.
+
+    By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z)
+    from the wheelset's centre (docs/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error
+    that is left by 1 - K times the share.
+    """
+    state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")
+    arms = [abs(side.contact.y_track - shift) for side in (state.left, state.right)]
+    centre = state.vertical_shift - system.parameters["nominal_radius"]
+    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle)
+            for side in (state.left, state.right)]
+    return 1.0 - sum(lost) / sum(arms)
+
+
+def jump_to_flange(solve, low=5e-3, high=6.6e-3):
+    """Smallest lateral shift [m] within 1 um at which ``solve(shift)`` has the right
+    contact on the flange."""
+    while high - low > 1e-6:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if solve(middle).right.y_wheel < FLANGE else (middle, high)
+    return high
+
+# ----------------------------------------------------------------------------------------------- Wang's shift
+
+
+# Wang's shift of a yawed wheel's contact from its principal profile, source eqs. (5.1)-(5.7).
+#
+# The source's roll counts from z to y. With ours (right wheel down positive) sin(roll) changes sign, and the
+# shift, which it takes from the contact to the principal profile in y and z but the other way round in x, is
+# from the principal profile to the contact here. Two corrections of eq. (5.3), which the search does not use:
+#
+# * printed ``l_x^2 l_y tan(delta)``, right is ``l_x^2 l_z tan(delta)``;
+# * the sign in front of the fraction; as printed the shift of a wheel without yaw would be 2 R.
+
+def wang_shift(radius, tan_angle, *, roll, yaw):
+    """Shift (x, y, z) [m] in the track frame from the principal profile's lowest point to the
+    contact, of a right wheel.
+
+    Parameters
+    ----------
+    radius : wheel radius R at the contact [m].
+    tan_angle : tan(delta) of the wheel profile there, in the wheelset's frame, positive towards the flange.
+    roll, yaw : theta, psi [rad].
+    """
+    R, t, theta, psi = radius, tan_angle, -roll, yaw
+    lx, ly, lz = cos(theta) * sin(psi), cos(theta) * cos(psi), sin(theta)              # (5.5)-(5.7)
+    m = sqrt(max(0.0, 1 - lx**2 * (1 + t**2)))                                         # (5.4)
+    x = R * sin(theta) * sin(psi) + lx * R * t                                         # (5.1)
+    y = R * sin(theta) * cos(psi) - R / (1 - lx**2) * (lx**2 * ly * t + lz * m)        # (5.2)
+    z = R * cos(theta) + R / (1 - lx**2) * (lx**2 * lz * t - ly * m)                   # (5.3), corrected
+    return x, -y, -z
+
+
+def longitudinal_limit(radius, tan_angle, *, roll, yaw):
+    """How far along the wheel the source searches [m], source eqs. (5.8), (5.9): the
+    shift's length in plan."""
+    x, y, _ = wang_shift(radius, tan_angle, roll=roll, yaw=yaw)
+    return hypot(x, y)

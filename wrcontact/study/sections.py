@@ -194,13 +194,6 @@ class Section:
         """B [1/m] of ``nodes`` from the profiles' second derivatives."""
         return 0.5 * (self.rail.curvature(nodes.rail) - self.wheel.curvature(nodes.wheel))
 
-    def rough_lateral(self, nodes, printed=False):
-        """B [1/m] from three nodes of wheel and rail, source eqs. (6.3)-(6.5); see
-        :func:`rough_curvature`."""
-        rail, wheel = (rough_curvature(curve.point(t), printed) for curve, t in
-                       ((self.rail, nodes.rail), (self.wheel, nodes.wheel)))
-        return 0.5 * (rail - wheel)
-
     def smooth_lateral(self, nodes, reach):
         """B [1/m] from circles through the profiles within ``reach`` [m] to both sides:
         ANALYN's own way in the source."""

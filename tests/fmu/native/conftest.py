@@ -1,5 +1,4 @@
-"""What tests of the native FMUs run: scenarios in fresh processes, packed profiles, C hosts; each
-made once for a worker."""
+"""What tests of the native FMUs run: packed profiles, C hosts; each made once for a worker."""
 
 import json
 import shutil
@@ -10,44 +9,34 @@ from pathlib import Path
 import pytest
 from fmpy import read_model_description
 
-from benchmarks.native import native_host, rows_text
+from data.native_host import HOST, native_host, rows_text
 from tests.helpers.c_host import HOOKS
 from tests.helpers.cases import stored
-from tests.helpers.fmus import FMI_HEADERS, measured, run_scenario, unpacked_library
+from tests.helpers.fmus import FMI_HEADERS, measured, unpacked_library
 from tests.helpers.paths import HELPERS
 from wrcontact.fmu import native
 
 
 @pytest.fixture
-def run(fmus, tmp_path):
-    """Run a scenario of fmu_process.py with the FMU of FMI 2."""
-    return lambda scenario, **arguments: run_scenario(scenario, fmus[2], tmp_path / "unpacked", arguments)
+def run(hosts):
+    """Ask the FMU of FMI 2 a scenario of fmu_process.py."""
+    return hosts(2).ask
 
 
 @pytest.fixture
-def run3(fmus, tmp_path):
-    """Run a scenario of native_process.py with the FMU of FMI 3."""
-
-    def run3(scenario, **arguments):
-        command = [sys.executable, str(HELPERS / "native_process.py"), scenario, str(fmus[3]),
-                   str(tmp_path / "unpacked3")]
-        done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True,
-                              encoding="utf-8", timeout=600)
-        assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
-        return json.loads(done.stdout)
-
-    return run3
+def run3(hosts):
+    """The same of FMI 3."""
+    return hosts(3).ask
 
 
 @pytest.fixture(scope="session")
-def packed(tmp_path_factory, compiled):
+def packed(tmp_path_factory, kept):
     """FMUs by version with a wheel and a rail of one's own, and their files, whose names have
     spaces and other letters."""
     folder = tmp_path_factory.mktemp("Profile & 轮轨")
     wheel = measured("S1002", folder / "Rad 7 ä.txt")
     rail = measured("UIC60", folder / "Schiene 轨 'neu'.txt")
-    fmus = native.build_native_fmus(folder / "out", wheel=wheel, rail=rail, cache=compiled)
-    return dict(zip((2, 3), fmus)), wheel, rail
+    return dict(zip((2, 3), kept("native", wheel=wheel, rail=rail))), wheel, rail
 
 
 @pytest.fixture(scope="session", params=(2, 3))
@@ -86,7 +75,7 @@ def host(tmp_path_factory):
     def host(version, *flags):
         folder = tmp_path_factory.mktemp("host")
         native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
-        shutil.copy(HELPERS / "native_host.c", folder)
+        shutil.copy(HOST, folder)
         units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
         units["native_host.c"] = [f"-DFMI={version}"]
         objects = []

@@ -12,10 +12,11 @@ from fmpy import read_model_description
 from fmpy.build import build_platform_binary
 
 from tests.helpers.cases import OUTPUT_NAMES, poses
-from tests.helpers.fmus import assert_same, needs_compiler, needs_glibc, outputs_of, run_scenario
+from tests.helpers.fmus import assert_same, needs_compiler, needs_glibc, run_scenario
 from tests.helpers.paths import ROOT
-from wrcontact.fmu import compilers, native
-from wrcontact.fmu.compilers import CompilerProblem, compiler_for
+from wrcontact.fmu import native
+from wrcontact.kernel.binding import compiler
+from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
 from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 
 pytestmark = needs_compiler
@@ -24,7 +25,7 @@ pytestmark = needs_compiler
 # --- behaviour ------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_command_line_prints_the_paths(fmus, tmp_path):
     command = [sys.executable, str(ROOT / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
@@ -41,7 +42,7 @@ def test_command_line_refuses_in_a_sentence(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_equal_sources_give_equal_bytes(fmus, tmp_path):
     for version, again in zip((2, 3), native.build_native_fmus(tmp_path)):
         assert again.read_bytes() == fmus[version].read_bytes()
@@ -55,7 +56,7 @@ def test_other_contents_give_another_token(fmus, packed):
 SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that the build description names
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
 @pytest.mark.parametrize("version", (2, 3))
 @pytest.mark.parametrize("builder", ("system", "fmpy"))
@@ -78,8 +79,8 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, bu
     with zipfile.ZipFile(again, "w") as archive:
         for file in sorted(description.parent.rglob("*")):
             archive.write(file, file.relative_to(description.parent))
-    rows, script = poses(20), "fmu_process.py" if version == 2 else "native_process.py"
-    one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows)
+    given = {"rows": poses(20), "names": OUTPUT_NAMES}
+    one, other = (run_scenario("trajectory", file, tmp_path / f"unpacked {k}", given)["seen"]
                   for k, file in enumerate((fmus[version], again)))
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
@@ -99,7 +100,7 @@ def compile_as_described(version, description, library):
 # --- from a C host --------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_glibc
 @pytest.mark.parametrize("version", (2, 3))
 def test_compilers_have_nothing_to_say(tmp_path, version):
@@ -121,17 +122,17 @@ def test_unknown_platform_is_refused(tmp_path):
 
 
 def test_missing_compiler_is_told(monkeypatch):
-    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
-    monkeypatch.setattr(compilers.shutil, "which", lambda name: None)
+    monkeypatch.setattr(compiler.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(compiler.shutil, "which", lambda name: None)
     with pytest.raises(CompilerProblem, match="no compiler for aarch64-darwin; pip install ziglang"):
         compiler_for(PLATFORMS["aarch64-darwin"])
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
 def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypatch):
     """Another compiler, the same bits but for the mathematical library."""
-    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(compiler.importlib.util, "find_spec", lambda name: None)
     own = native.build_native_fmus(tmp_path / "own")
     rows = poses(20)
     seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}",

@@ -1,4 +1,4 @@
-"""The native FMUs from a C host, tests/helpers/native_host.c: random calls, threads, memory."""
+"""The native FMUs from a C host, data/native_host.c: random calls, threads, memory."""
 
 import os
 import re
@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-import benchmarks.native
 from tests.helpers.c_host import RACES, SANITIZERS, answer_of, fuzz, needs_race_detector, needs_sanitizers
 from tests.helpers.fmus import needs_compiler, needs_glibc
 from wrcontact.interface.variables import VARIABLES
@@ -24,7 +23,7 @@ def test_random_calls(linked_host, version):
     assert (counted["other_outlines"] > 0.01 * 15_000) == (version == 3)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_sanitizers
 @pytest.mark.parametrize("version", (2, 3))
 def test_a_million_random_calls_under_sanitizers(host, version):
@@ -82,7 +81,7 @@ def test_a_random_walk_repeats_itself_and_resumes(linked_host):
     assert threads[0]["digest"] == walks[0]["digest"] != threads[1]["digest"]
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @needs_race_detector
 @pytest.mark.parametrize("version", (2, 3))
 def test_threads_share_nothing(host, version, rows_file):
@@ -91,7 +90,6 @@ def test_threads_share_nothing(host, version, rows_file):
 
 
 @needs_glibc
-@pytest.mark.slow
 @pytest.mark.complete
 @pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is not installed")
 @pytest.mark.parametrize("version", (2, 3))
@@ -101,12 +99,3 @@ def test_valgrind_finds_nothing(host, version):
     done = subprocess.run([*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True,
                           timeout=900)
     assert done.returncode == 0, done.stderr[-3000:]
-
-
-@pytest.mark.slow
-@needs_glibc
-def test_cost_is_measured(fmus, capsys):
-    benchmarks.native.main(list(map(str, fmus.values())))
-    rows = re.findall(r"\| FMI (\d)\.0 \| ([\d.]+) \| ([\d.]+) \|", capsys.readouterr().out)
-    assert [version for version, *_ in rows] == ["2", "3"]
-    assert all(0.5 < float(units) < 200 for _, units, _ in rows)

@@ -7,7 +7,7 @@ from tests.helpers.cases import poses
 from tests.helpers.fmus import needs_compiler, outline_of_both, session, stepped
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
-from wrcontact.interface.variables import REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, REFERENCE, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = needs_compiler
@@ -20,7 +20,7 @@ DERIVATIVE_INPUTS = ["lateral_shift", "yaw", "normal_force", "load_transfer", "r
 def kernel_rates(start, stations, row, names, inputs):
     """The kernel's own rates of the outputs that are named and of the right outline's
     stations, along each input."""
-    keywords = {VARIABLES[REFERENCE[name]].keyword or name: value for name, value in start.items()}
+    keywords = {VARIABLES[PLACE[name]].keyword or name: value for name, value in start.items()}
     stepper = ContactSystem(stations=stations, **keywords).stepper()
     made = session(**start)
     stepped(made, row)
@@ -54,8 +54,11 @@ def test_directional_derivatives(run, run3, start, stations):
         assert found3["adjoint"] == pytest.approx(matrix.sum(axis=1), rel=1e-9,
                                                   abs=1e-15 * np.abs(matrix).max())
         assert not matrix[DERIVATIVE_INPUTS.index("roll_guess")].any()
+        assert found["together"] == pytest.approx(np.array(found["matrix"]).sum(axis=0), rel=1e-9,
+                                                  abs=1e-12 * np.abs(matrix).max())
+    assert np.array(seen["inside"]) == pytest.approx(np.array(seen["seen"][0]["matrix"]), rel=1e-6, abs=1e-12)
     assert np.array(seen3["inside"]) == pytest.approx(np.array(seen3["seen"][0]["matrix"]), rel=1e-6,
                                                       abs=1e-12)
-    assert seen3["after"]
+    assert seen["after"] and seen3["after"]
     for name, (refused, lines) in {**seen["calls"], **seen3["calls"]}.items():
         assert refused and len(lines) == 1 and len(lines[0][-1]) > 30, f"{name}: {lines}"

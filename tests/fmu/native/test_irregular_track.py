@@ -5,7 +5,6 @@ import runpy
 
 import numpy as np
 import pytest
-from fmpy.validation import validate_fmu
 
 from tests.helpers.fmus import needs_compiler
 from tests.helpers.mirror import side_signs
@@ -53,10 +52,6 @@ def patches(of):
             name = f"{side}.patch[{k}]"
             point = np.stack([of(f"{name}.{axis}_track") for axis in "xyz"], axis=1)
             yield point, vectors(of, f"{name}.force")
-
-
-def test_the_archive_is_valid(archive):
-    assert validate_fmu(str(archive)) == []
 
 
 def test_forces_of_wheels_and_patches_are_those_of_the_wheelset(ride):

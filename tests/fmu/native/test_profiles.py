@@ -3,8 +3,8 @@
 import pytest
 from fmpy import read_model_description
 
-from tests.helpers.cases import poses
-from tests.helpers.fmus import assert_same, measured, needs_compiler, outputs_of, run_scenario, stepped
+from tests.helpers.cases import OUTPUT_NAMES, poses
+from tests.helpers.fmus import Host, assert_same, measured, needs_compiler, run_scenario, stepped
 from wrcontact import ContactSystem
 from wrcontact.fmu import native
 from wrcontact.interface.variables import REFERENCE
@@ -18,7 +18,8 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
     Python session of the file."""
     fmus, wheel, rail = packed
     rows = poses(6)
-    for version, script in ((2, "fmu_process.py"), (3, "native_process.py")):
+    for version in (2, 3):
+        host = Host(fmus[version], tmp_path / f"host {version}")
         described = {v.name: v for v in read_model_description(str(fmus[version])).modelVariables}
         assert (described["wheel_profile"].start, described["rail_profile"].start) == (wheel.name, rail.name)
         pairs = ({"wheel_profile": "s1002", "rail_profile": "54e1"},     # the case has no effect
@@ -26,13 +27,14 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
                  {"wheel_profile": "S1002", "rail_profile": rail.name})
         for pair in ({}, *pairs[3 - version:]):
             start = {**pair, "normal_model": "hertz"}
-            seen = outputs_of(script, fmus[version], tmp_path / f"unpacked {version}", rows, start)
+            seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES, start=start)["seen"]
             made = Session(resources=str(wheel.parent), tell=lambda sentence: None)
             whole = {"wheel_profile": wheel.name, "rail_profile": rail.name, **start}
             made.set_strings([REFERENCE[name] for name in whole], list(whole.values()))
             made.start()
             for row, found in zip(rows, seen, strict=True):
                 assert_same(found, stepped(made, row))
+        host.end()
 
 
 def test_measured_points_give_the_standards_contact(packed):

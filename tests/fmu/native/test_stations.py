@@ -8,7 +8,7 @@ from tests.helpers.cases import INPUT_NAMES, poses
 from tests.helpers.fmus import SAME, needs_compiler, outline_of_both
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
-from wrcontact.interface.variables import REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, REFERENCE, VARIABLES
 
 pytestmark = needs_compiler
 
@@ -34,7 +34,7 @@ def test_outlines_with_other_numbers_of_stations(run3):
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
             assert len(found) == len(wanted) + 3 and found["status"] == status
             for name, value in wanted.items():
-                nominal = VARIABLES[REFERENCE[re.sub(r"\[\d+\]$", "[1]", name)]].nominal or 1.0
+                nominal = VARIABLES[PLACE[re.sub(r"\[\d+\]$", "[1]", name)]].nominal or 1.0
                 assert found[name] == pytest.approx(value, rel=SAME, abs=SAME * nominal), (number, name)
 
 
@@ -51,8 +51,8 @@ def test_configuration_mode(run3):
     seen = run3("configuration")
     for name, (refused, lines) in seen["calls"].items():
         assert refused, name
-        assert len(lines) == 1 and lines[0][0] == "logStatusError", f"{name}: {lines}"
-    sentences = {name: lines[0][1] for name, (_, lines) in seen["calls"].items()}
+        assert len(lines) == 1 and lines[0][:2] == [3, "logStatusError"], f"{name}: {lines}"
+    sentences = {name: lines[0][2] for name, (_, lines) in seen["calls"].items()}
     for wrong in (0, 2, 202, 2**64 - 1):
         assert sentences[f"{wrong}"] == f"stations is {wrong}; permitted is 3 ... 201"
     assert (sentences["not entered"]

@@ -1,10 +1,13 @@
 """The kernel as Python calls it: compiled where it can be, the Python source otherwise, with
 the same bits either way.
 
-    kernel = default_kernel()
-    bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once; ``left=`` where sides differ
-    inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
-    status = bound.step()                                               # writes outputs and state
+A :class:`~wrcontact.stepper.Stepper` binds its arrays once and then steps:
+
+>>> import wrcontact
+>>> stepper = wrcontact.ContactSystem().stepper()
+>>> stepper.inputs[:4] = 1e-3, 0.0, 0.0, 78.5e3         # lateral shift, yaw, roll guess, normal force
+>>> stepper.step()                                      # writes outputs and state
+0
 
 The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.2 us a call,
 during which other threads run. The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the
@@ -114,22 +117,23 @@ class Kernel:
             source.write_methods(Setup.at(setup), Tables.at(tables))
 
 
-    def cut_patch(self, workspace, index=0):
-        """Cut solved patch ``index`` of the workspace (n,) into the strips of its rolling patch."""
+    def cut_patch(self, workspace):
+        """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""
         if self.compiled:
-            self.library.wrcontact_cut_patch(span(workspace), index)
+            self.library.wrcontact_cut_patch(span(workspace))
             return
         work = Work.at(workspace)
         source = import_module("..tangential.sections", __package__)
-        source.cut_patch(work.contact.solved, index, work.rolling)
+        source.cut_patch(work.patch, work.contact.strips)
 
     def solve_tangential(self, tables, workspace):
-        """The creep force of the rolling patch in the workspace (n,), by the model of the tables (n,)."""
+        """The creep force of the patch by itself in the workspace (n,), by the model of the tables (n,)."""
         if self.compiled:
             self.library.wrcontact_solve_tangential(span(tables), span(workspace))
             return
         source = import_module("..tangential.tangential_contact", __package__)
-        source.solve_tangential(Tables.at(tables), Work.at(workspace).rolling)
+        work = Work.at(workspace)
+        source.solve_tangential(Tables.at(tables), work.rolling, work.patch)
 
 
 def fill_starts(source, left, right, equal):
@@ -245,7 +249,7 @@ def declare(library):
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
     library.wrcontact_complete.argtypes, library.wrcontact_complete.restype = [Span] * 3 + [address], None
-    library.wrcontact_cut_patch.argtypes = [Span, ctypes.c_int64]
+    library.wrcontact_cut_patch.argtypes = [Span]
     library.wrcontact_solve_tangential.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_tangential.restype = None
     library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int

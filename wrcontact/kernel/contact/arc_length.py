@@ -9,7 +9,7 @@ a table   prepared with the profiles: the stations of a pressed wheel along its 
 from math import sqrt
 from typing import Final
 
-from ..layout import PIECE_SIZE, Frame, Origin, Piece, Tables
+from ..layout import PIECE_SIZE, Frame, Origin, Piece, Tables, seldom
 from ..surface.cubic_table import read_cubic_jet, read_cubic
 from ..surface.profile_table import find_piece, height_slope
 from .curves import curve_profile, curve_speed
@@ -24,6 +24,7 @@ WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
 
 
+@seldom
 def panel_length(tables: Tables, frame: Frame, origin: Origin, curve: int, low: float, high: float):
     """Arc length [m] between abscissae within one piece of the profile, by Gauss's
     formula with six points."""
@@ -45,6 +46,7 @@ def panel_length(tables: Tables, frame: Frame, origin: Origin, curve: int, low: 
     return half * total
 
 
+@seldom
 def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: float, stop: float):
     """Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where
     ``stop`` is the smaller one.
@@ -70,11 +72,13 @@ def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: 
     return total
 
 
+@seldom
 def rail_length(tables: Tables, start: float, stop: float):
     """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one."""
     return read_cubic(tables.rail_arc, stop) - read_cubic(tables.rail_arc, start)
 
 
+@seldom
 def rail_abscissa(tables: Tables, start: float, length: float):
     """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
 

@@ -65,14 +65,11 @@ def normal_gap(tables: Tables, frame: Frame, state: State, station: float, toler
     wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(tables, frame, station, tolerance)
     frame.station = station
     gap = wheel_height - rail_height + frame.raised
-    if on_rail == 0 or on_wheel == 0:
+    if not on_rail or not on_wheel:
         gap = NO_GAP
     return gap, wheel_rate - rail_rate, wheel_bend - rail_bend, curvature
 
 
-def is_yawed(frame: Frame):
-    """1 if the wheel of the open frame is yawed, else 0."""
-    yawed = 0
-    if frame.place.yawed:
-        yawed = 1
-    return yawed
+def is_yawed(frame: Frame) -> bool:
+    """Whether the wheel of the open frame is yawed."""
+    return frame.place.yawed

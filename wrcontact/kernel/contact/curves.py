@@ -8,21 +8,13 @@ the origin of the region.
 
 from math import sqrt
 
-from ..layout import (
-    RAIL,
-    SEPARATION_EQUIDISTANT_CHORD,
-    SEPARATION_NORMAL,
-    WHEEL,
-    Frame,
-    Origin,
-    Profile,
-    Region,
-    Tables,
-)
+from ..layout import (RAIL, SEPARATION_EQUIDISTANT_CHORD, SEPARATION_NORMAL, WHEEL, Frame, Origin, Profile,
+                      Region, Tables, seldom)
 from ..surface.locus import outline_jet
 from ..surface.profile_table import height_slope, height_slope_bend
 
 
+@seldom
 def curve_profile(tables: Tables, curve: int) -> Profile:
     """The profile of a curve."""
     profile = tables.wheel
@@ -31,6 +23,7 @@ def curve_profile(tables: Tables, curve: int) -> Profile:
     return profile
 
 
+@seldom
 def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
     ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m]."""
@@ -45,6 +38,7 @@ def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float
     return across, down, slope, stretch, bend
 
 
+@seldom
 def curve_speed(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
     """Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
     change it."""
@@ -58,6 +52,7 @@ def curve_speed(tables: Tables, frame: Frame, origin: Origin, curve: int, u: flo
     return speed
 
 
+@seldom
 def within(tables: Tables, curve: int, u: float):
     """``u``, or the end of the profile that it lies beyond [m]."""
     profile = curve_profile(tables, curve)
@@ -68,6 +63,7 @@ def within(tables: Tables, curve: int, u: float):
     return u
 
 
+@seldom
 def open_origin(tables: Tables, frame: Frame, origin: Origin, region: Region, spacing: float):
     """Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where
     that is 0."""
@@ -79,9 +75,9 @@ def open_origin(tables: Tables, frame: Frame, origin: Origin, region: Region, sp
             origin.spacing = spacing
         open_curve(tables, frame, origin, RAIL, region.rail)
         open_curve(tables, frame, origin, WHEEL, region.wheel)
-    return 0
 
 
+@seldom
 def open_curve(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
     """Let the origin of a curve be its point at abscissa ``u`` [m]."""
     point = origin.points[curve]
@@ -90,4 +86,3 @@ def open_curve(tables: Tables, frame: Frame, origin: Origin, curve: int, u: floa
     across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
     point.y = across
     point.z = down
-    return 0

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
+from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap, seldom
 
 #: Two deepest points are one region while the overlap between them has fallen by less than this share of
 #: the largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure
@@ -15,6 +15,7 @@ LEAST_HUMP: Final[float] = 1e-9
 SAME_POINT: Final[float] = 1e-6
 
 
+@seldom
 def copy_point(point: DeepPoint, copy: DeepPoint):
     """Write ``point`` to ``copy``."""
     copy.rail = point.rail
@@ -22,9 +23,9 @@ def copy_point(point: DeepPoint, copy: DeepPoint):
     copy.depth = point.depth
     copy.saddle = point.saddle
     copy.between = point.between
-    return 0
 
 
+@seldom
 def append_point(overlap: Overlap, rail: float, wheel: float, depth: float):
     """List a deepest point at the end."""
     count = overlap.count
@@ -34,9 +35,9 @@ def append_point(overlap: Overlap, rail: float, wheel: float, depth: float):
         point.wheel = wheel
         point.depth = depth
         overlap.count = count + 1
-    return 0
 
 
+@seldom
 def sort_last(overlap: Overlap):
     """Bring the last point listed to its place along the rail."""
     entry = overlap.count - 1
@@ -50,19 +51,20 @@ def sort_last(overlap: Overlap):
     point.rail = rail
     point.wheel = wheel
     point.depth = depth
-    return 0
 
 
-def is_listed(overlap: Overlap, x: float):
-    """1 if the last point listed is at ``x`` [m] or beyond, else 0."""
-    listed = 0
+@seldom
+def is_listed(overlap: Overlap, x: float) -> bool:
+    """Whether the last point listed is at ``x`` [m] or beyond."""
+    listed = False
     entry = overlap.count - 1
     if entry >= 0:
         if x < overlap.points[entry].rail + SAME_POINT:
-            listed = 1
+            listed = True
     return listed
 
 
+@seldom
 def deepest_entry(overlap: Overlap):
     """The deepest of the list."""
     best = 0
@@ -72,6 +74,7 @@ def deepest_entry(overlap: Overlap):
     return best
 
 
+@seldom
 def shallowest_entry(overlap: Overlap):
     """The least deep of the list."""
     least = 0
@@ -81,22 +84,23 @@ def shallowest_entry(overlap: Overlap):
     return least
 
 
+@seldom
 def keep_deepest(overlap: Overlap):
     """Leave only the deepest of the list, which then has no bounds."""
     copy_point(overlap.points[deepest_entry(overlap)], overlap.points[0])
     overlap.count = 1
-    return 0
 
 
+@seldom
 def remove_point(overlap: Overlap, entry: int):
     """Take a point off the list with its own saddle."""
     count = overlap.count
     for i in range(entry, count - 1):
         copy_point(overlap.points[i + 1], overlap.points[i])
     overlap.count = count - 1
-    return 0
 
 
+@seldom
 def drop_point(overlap: Overlap, entry: int):
     """Leave out a deepest point; of the saddles beside it the less deep one stays."""
     if entry > 0 and entry < overlap.count - 1:
@@ -106,9 +110,9 @@ def drop_point(overlap: Overlap, entry: int):
             before.between = point.between
             before.saddle = point.saddle
     remove_point(overlap, entry)
-    return 0
 
 
+@seldom
 def merge_points(overlap: Overlap):
     """Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT."""
     depth = overlap.points[deepest_entry(overlap)].depth
@@ -131,4 +135,3 @@ def merge_points(overlap: Overlap):
             entry += 1
     while overlap.count > REGION_LIMIT:
         drop_point(overlap, shallowest_entry(overlap))
-    return 0

@@ -17,7 +17,6 @@ def keep_points(overlap: Overlap, kept: DeepPoints):
     kept.count = overlap.count
     for entry in range(overlap.count):
         copy_point(overlap.points[entry], kept.points[entry])
-    return 0
 
 
 def follow_overlaps(tables: Tables, overlap: Overlap, kept: DeepPoints, place: Place, height: float):
@@ -31,7 +30,7 @@ def follow_overlaps(tables: Tables, overlap: Overlap, kept: DeepPoints, place: P
         x = point.rail
         rail, wheel, depth, turned = turning_point(tables, place, x - FOLLOWED, x + FOLLOWED, point.wheel,
                                                    height, 1.0)
-        if turned == 0 or not depth > 0.0:
+        if not turned or not depth > 0.0:
             return 0
         point.rail = rail
         point.wheel = wheel
@@ -51,9 +50,8 @@ def follow_saddle(tables: Tables, place: Place, point: DeepPoint, following: Dee
         reach = following.rail - point.saddle
     x, y, depth, turned = turning_point(tables, place, point.saddle - reach, point.saddle + reach, y, height,
                                         -1.0)
-    if turned == 0:
+    if not turned:
         x, y, depth, turned = turning_point(tables, place, point.rail, following.rail,
                                             0.5 * (point.wheel + following.wheel), height, -1.0)
     point.saddle = x
     point.between = depth
-    return 0

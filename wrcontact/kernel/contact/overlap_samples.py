@@ -3,13 +3,14 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
-from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, State, Tables
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, State, Tables, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope_bend
 
 
+@seldom
 def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, height: float, entry: int):
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
     abscissa [m]."""
@@ -32,6 +33,7 @@ def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, he
     return gap, m - outline_slope, abscissa
 
 
+@seldom
 def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
     searched.
@@ -44,9 +46,9 @@ def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
     if direction > 0:
         samples.rail[entry] = tables.rail.stop
         samples.rise[entry] = -1.0
-    return 0
 
 
+@seldom
 def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, node: int, direction: int,
                  height: float, first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
@@ -59,14 +61,14 @@ def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, n
         gap, mismatch, abscissa = sample_overlap(tables, samples, place, node, height, entry)
         state.gap_count += 1.0
         on_rail = above_rail(tables, abscissa)
-        if on_rail == 0:
+        if not on_rail:
             sample_end(tables, samples, direction, entry)
         if direction > 0:
             samples.adjacent[entry] = adjacent
         else:
             samples.adjacent[entry + 1] = adjacent
         entry += direction
-        if on_rail == 0:
+        if not on_rail:
             return entry
         adjacent = 1.0
         step = 1

@@ -8,17 +8,8 @@ between them are one region (deep_points.MERGE).
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import (
-    OVERLAP_LIMIT,
-    Overlap,
-    Place,
-    RisePoint,
-    Samples,
-    SideSearch,
-    State,
-    Stretch,
-    Tables,
-)
+from ..layout import (OVERLAP_LIMIT, Overlap, Place, RisePoint, Samples, SideSearch, State, Stretch, Tables,
+                      seldom)
 from ..search.bounds import bend_bounds, only_rises_or_falls
 from ..search.raster import node_below
 from ..surface.locus import outline_point
@@ -46,6 +37,7 @@ FAR_STEP: Final[float] = 1e-3
 WIDENINGS: Final[int] = 6
 
 
+@seldom
 def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, state: State,
                   height: float):
     """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
@@ -68,19 +60,20 @@ def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, state: Sta
     return overlap.count
 
 
+@seldom
 def list_in_cell(tables: Tables, overlap: Overlap, place: Place, entry: int):
     """List the deepest points between the sample ``entry`` and the next one."""
     samples = overlap.samples
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
     hidden = may_turn(tables, samples, place, entry)
-    if hidden == 0 and not (rise > 0.0 and following <= 0.0):
-        return 0
+    if not hidden and not (rise > 0.0 and following <= 0.0):
+        return
     open_stretch(tables, overlap, place, entry)
     stretch = overlap.stretch
     finest = OVERLAP_PART
-    listed = 0
-    if hidden == 1:
+    listed = False
+    if hidden:
         # the samples are straight down: what counts is the rise along the normal
         widen_bounds(tables, overlap, place, entry)
         if stretch.known == entry:
@@ -96,14 +89,14 @@ def list_in_cell(tables: Tables, overlap: Overlap, place: Place, entry: int):
                                     stretch.wheel)
     else:
         widen_bounds(tables, overlap, place, entry)
-    if listed == 0:
-        if hidden == 0:
+    if not listed:
+        if not hidden:
             stretch.least = min(stretch.least, 0.0)
             widen_stretch(tables, overlap, place)
         list_on_stretch(tables, overlap, place, finest)
-    return 0
 
 
+@seldom
 def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
     """Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
     down."""
@@ -115,23 +108,23 @@ def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
     node = node_below(tables.scan, samples.wheel[entry])
     stretch.least, stretch.most = bend_bounds(tables.scan, place, node, stretch.first.x)
-    return 0
 
 
+@seldom
 def copy_rise(point: RisePoint, copy: RisePoint):
     """Write ``point`` to ``copy``."""
     set_point(copy, point.x, point.rise, point.rate)
-    return 0
 
 
+@seldom
 def set_point(point: RisePoint, x: float, rise: float, rate: float):
     """Write a place [m] with its rise [-] and the derivative of that [1/m]."""
     point.x = x
     point.rise = rise
     point.rate = rate
-    return 0
 
 
+@seldom
 def measure_rise(tables: Tables, overlap: Overlap, place: Place, point: RisePoint, y: float):
     """Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
     is none."""
@@ -139,13 +132,13 @@ def measure_rise(tables: Tables, overlap: Overlap, place: Place, point: RisePoin
                                                                    NODE_SHARP)
     point.rise = 0.0
     point.rate = 0.0
-    if found == 1:
+    if found:
         z_rail, slope = height_slope(tables.rail, point.x)
         point.rise = rise
         point.rate = bend * sqrt(1.0 + slope * slope)
-    return 0
 
 
+@seldom
 def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
     """Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
 
@@ -166,36 +159,38 @@ def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
     share = NORMAL_SHARE * scan.nodes[node].steepest_bends[0]
     stretch.least -= share
     stretch.most += share
-    return 0
 
 
+@seldom
 def list_turning_point(tables: Tables, overlap: Overlap, place: Place, low: float,
-                       high: float, y: float):
+                       high: float, y: float) -> bool:
     """List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
-    an overlap and it is not listed yet; 1 if there is a turning point, else 0."""
+    an overlap and it is not listed yet; whether there is a turning point."""
     rail, wheel, depth, turned = turning_point(tables, place, low, high, y, overlap.height, 1.0)
-    if turned == 1 and depth > 0.0 and is_listed(overlap, rail) == 0:
+    if turned and depth > 0.0 and not is_listed(overlap, rail):
         append_point(overlap, rail, wheel, depth)
     return turned
 
 
-def may_turn(tables: Tables, samples: Samples, place: Place, entry: int):
-    """1 if between the sample ``entry`` and the next one the overlap may turn unseen by both, else 0."""
+@seldom
+def may_turn(tables: Tables, samples: Samples, place: Place, entry: int) -> bool:
+    """Whether between the sample ``entry`` and the next one the overlap may turn unseen by both."""
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
-    answer = 0
+    answer = False
     if min(fabs(rise), fabs(following)) < fabs(samples.turn[entry]) + fabs(samples.turn[entry + 1]):
         # the bounds are those of the overlap straight down
-        answer = 1
+        answer = True
     elif rise * following > 0.0:
         node = node_below(tables.scan, samples.wheel[entry])
         least, most = bend_bounds(tables.scan, place, node, samples.rail[entry])
         if least < 0.0:
             width = samples.wheel[entry + 1] - samples.wheel[entry]
-            answer = 1 - only_rises_or_falls(least, most, width, -rise, -following)
+            answer = not only_rises_or_falls(least, most, width, -rise, -following)
     return answer
 
 
+@seldom
 def widen_stretch(tables: Tables, overlap: Overlap, place: Place):
     """Widen the stretch until the overlap rises from its first end and falls to its last one: the samples are
     straight down, and their slope may change its sign a little before the overlap along the normal has its
@@ -207,9 +202,9 @@ def widen_stretch(tables: Tables, overlap: Overlap, place: Place):
     stretch.width *= (high - low) / step
     stretch.first.x = low
     stretch.last.x = high
-    return 0
 
 
+@seldom
 def bracket_end(tables: Tables, overlap: Overlap, place: Place, x: float, step: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
     side."""
@@ -222,12 +217,13 @@ def bracket_end(tables: Tables, overlap: Overlap, place: Place, x: float, step: 
             return rail.stop
         y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, overlap.height,
                                                                        LINE_SHARP)
-        if found == 0 or rise * step < 0.0:
+        if not found or rise * step < 0.0:
             break
         x += step
     return x
 
 
+@seldom
 def list_on_stretch(tables: Tables, overlap: Overlap, place: Place, finest: int):
     """List the deepest points on the stretch: on nearly conformal profiles the joints of their arcs leave
     several, of which a bracket by itself would end at either.
@@ -250,40 +246,42 @@ def list_on_stretch(tables: Tables, overlap: Overlap, place: Place, finest: int)
         else:
             copy_rise(stretch.last, after)
         once = turns_once(stretch, float(size) / float(PARTS))
-        if size > finest and once == 0:
+        if size > finest and not once:
             size = size // 2
         else:
             if before.rise > 0.0 and after.rise <= 0.0:
                 list_turning_point(tables, overlap, place, before.x, after.x,
                                    wheel_beside(stretch, 0.5 * float(start + stop)))
-            elif once == 0:
+            elif not once:
                 list_hidden_point(tables, overlap, place)
             copy_rise(after, before)
             start = stop
             while start < PARTS and size < PARTS and start % (2 * size) == 0:
                 size = 2 * size
-    return 0
 
 
+@seldom
 def wheel_beside(stretch: Stretch, parts: float):
     """About which wheel abscissa [m] belongs to the place that many ``parts`` after the first end of the
     stretch."""
     return stretch.wheel + (parts / float(PARTS) - 0.5) * stretch.width
 
 
-def turns_once(stretch: Stretch, share: float):
-    """1 if the overlap certainly has one largest value at most on the open part, a ``share`` of the stretch,
-    else 0."""
+@seldom
+def turns_once(stretch: Stretch, share: float) -> bool:
+    """Whether the overlap certainly has one largest value at most on the open part, a ``share`` of the
+    stretch."""
     before = stretch.before.rise
     after = stretch.after.rise
-    answer = 0
+    answer = False
     if stretch.least > 0.0:
-        answer = 1
+        answer = True
     elif before * after > 0.0:
         answer = only_rises_or_falls(stretch.least, stretch.most, share * stretch.width, -before, -after)
     return answer
 
 
+@seldom
 def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
     """List the deepest point of a hump on the open part if the overlap rises, or falls, at both ends of it.
 
@@ -301,11 +299,11 @@ def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
         sign = -1.0
     for i in range(HUMP_ITERATIONS):
         if not (low.rise * high.rise > 0.0 and sign * low.rate < 0.0 and sign * high.rate > 0.0):
-            return 0
+            return
         width = high.x - low.x
         step = (low.rise - high.rise + high.rate * width) / (high.rate - low.rate)
         if sign * (low.rise + low.rate * step) > 0.0:
-            return 0
+            return
         if not (step > 0.0 and step < width):
             step = 0.5 * width
         middle.x = low.x + step
@@ -315,14 +313,14 @@ def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
                 list_turning_point(tables, overlap, place, low.x, middle.x, stretch.wheel)
             else:
                 list_turning_point(tables, overlap, place, middle.x, high.x, stretch.wheel)
-            return 0
+            return
         if sign * middle.rate < 0.0:
             copy_rise(middle, low)
         else:
             copy_rise(middle, high)
-    return 0
 
 
+@seldom
 def list_beside_smallest_gap(tables: Tables, overlap: Overlap, side: SideSearch):
     """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
     between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
@@ -336,12 +334,12 @@ def list_beside_smallest_gap(tables: Tables, overlap: Overlap, side: SideSearch)
     deepest = 0.0
     if overlap.count > 0:
         deepest = overlap.points[deepest_entry(overlap)].depth
-    if found == 1 and depth > deepest:
+    if found and depth > deepest:
         step = FIRST_STEP
         if rise < 0.0:
             step = -FIRST_STEP
         far = x
-        while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found == 1:
+        while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found:
             far += step
             y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, far, y,
                                                                            overlap.height, LINE_SHARP)
@@ -353,12 +351,12 @@ def list_beside_smallest_gap(tables: Tables, overlap: Overlap, side: SideSearch)
             high = x
         rail, wheel, depth, turned = turning_point(tables, place, low, high, side.best_y,
                                                   overlap.height, 1.0)
-        if turned == 1 and depth > deepest:
+        if turned and depth > deepest:
             append_point(overlap, rail, wheel, depth)
             sort_last(overlap)
-    return 0
 
 
+@seldom
 def find_saddles(tables: Tables, overlap: Overlap, place: Place):
     """The smallest overlap between neighbouring deepest points."""
     for entry in range(overlap.count - 1):
@@ -368,4 +366,3 @@ def find_saddles(tables: Tables, overlap: Overlap, place: Place):
                                             0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
         point.saddle = x
         point.between = depth
-    return 0

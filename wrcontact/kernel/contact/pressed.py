@@ -18,7 +18,7 @@ stations begin.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Frame, Place, State, Tables
+from ..layout import RAIL, WHEEL, Frame, Place, State, Tables, seldom
 from ..surface.locus import outline_jet
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope, height_slope_bend
@@ -42,22 +42,24 @@ FARTHEST: Final[float] = 5e-3
 LEAST_WAY: Final[float] = 1e-5
 
 
+@seldom
 def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
                 tolerance: float):
     """As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
-    1/R_x; and 1 if there is such a point, else 0."""
+    1/R_x; and whether there is such a point."""
     y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
     curvature = 0.0
-    if found == 1:
+    if found:
         curvature = longitudinal_curvature(tables, place, z, slope, mean_bend(tables, frame, y, bend))
     return y, overlap, rise, rate, curvature, found
 
 
+@seldom
 def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
     moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
     derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
-    1/m]; and 1 if there is such a point, else 0."""
+    1/m]; and whether there is such a point."""
     wheel = tables.wheel
     z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
@@ -70,7 +72,7 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
         residual = across + down * m
         along = stretch * (1.0 + m * outline_slope)
         if not (along > 0.0 and stretch > 0.0):
-            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
+            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
         move = -residual / along
         sharp = tolerance
         if i == LINE_ITERATIONS - 1 and sharp < LINE_JOINT:
@@ -78,7 +80,7 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
         if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
             if not fabs(overlap) < FARTHEST:
-                return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
+                return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
             rise = (outline_slope - m) / (1.0 + m * outline_slope)
             # the angle between both curves changes by the wheel's curvature over its own arc less the rail's
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope)
@@ -93,17 +95,18 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
             z += slope * move
             slope += bend * move
             relative_kappa = wheel_kappa * sqrt(steep) - kappa
-            return y, overlap, rise, steep * relative_kappa, z, slope, bend, 1
+            return y, overlap, rise, steep * relative_kappa, z, slope, bend, True
         if move > LINE_STEP:
             move = LINE_STEP
         if move < -LINE_STEP:
             move = -LINE_STEP
         y += move
         if not (y >= wheel.start and y <= wheel.stop):
-            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
-    return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
+            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
+    return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
 
 
+@seldom
 def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
     """Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side
     where that is set.
@@ -126,6 +129,7 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
     return bend
 
 
+@seldom
 def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
     [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
@@ -143,7 +147,7 @@ def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
         estimate = trace.abscissa + way * trace.rate
         y, overlap, rise, rise_rate, found_curvature, found = normal_line(
             tables, frame, frame.place, abscissa, estimate, frame.height, NODE_SHARP)
-        if found == 1:
+        if found:
             gap = frame.raised + frame.depth - overlap
             rate = -rise
             bend = -rise_rate

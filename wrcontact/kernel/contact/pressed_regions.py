@@ -1,18 +1,7 @@
 """The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point."""
 
-from ..layout import (
-    REGION_LIMIT,
-    DeepPoint,
-    Frame,
-    KeptFrames,
-    Overlap,
-    Place,
-    Region,
-    Regions,
-    SideSearch,
-    State,
-    Tables,
-)
+from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Place, Region, Regions, SideSearch,
+                      State, Tables, seldom)
 from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope
 from .arc_length import rail_length
@@ -25,6 +14,7 @@ from .regions import BEYOND, incline_region
 from .traces import start_traces
 
 
+@seldom
 def touching_shift(tables: Tables, place: Place, point: DeepPoint):
     """Lateral and vertical shift [m] that let the wheel just touch at a deepest point."""
     z, slope = height_slope(tables.wheel, point.wheel)
@@ -33,6 +23,7 @@ def touching_shift(tables: Tables, place: Place, point: DeepPoint):
     return point.rail + tables.rail_y - y_track, z_rail - z_track
 
 
+@seldom
 def press_frame(frame: Frame, height: float, depth: float, gap: float):
     """Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
     gap is ``gap`` [m]."""
@@ -40,9 +31,9 @@ def press_frame(frame: Frame, height: float, depth: float, gap: float):
     frame.depth = depth
     frame.pressed = True
     frame.raised = gap
-    return 0
 
 
+@seldom
 def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
                penetration: float):
     """Press the wheel of the open frame, which just touches, straight down until its contact point is
@@ -54,6 +45,7 @@ def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch,
     return count
 
 
+@seldom
 def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, penetration: float):
     """Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
 
@@ -68,9 +60,9 @@ def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, 
         press_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
         keep_frame(frame, frames, index)
     use_frame(frame, frames, REGION_LIMIT)
-    return 0
 
 
+@seldom
 def open_pressed_region(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0
@@ -79,9 +71,9 @@ def open_pressed_region(tables: Tables, frame: Frame, region: Region, point: Dee
     region.wheel = point.wheel
     z_rail, m = height_slope(tables.rail, point.rail)
     incline_region(tables, frame, region, m)
-    return 0
 
 
+@seldom
 def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
     """Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
     approach follows from both inclinations."""
@@ -96,9 +88,9 @@ def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoin
     region.gap = region.alignment * depth - point.depth
     region.offset = rail_length(tables, abscissa, point.rail)
     press_frame(frame, height, point.depth, region.gap)
-    return 0
 
 
+@seldom
 def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap,
                     state: State):
     """Open a region for every deepest point on the list, each with its own frame; their number.  The open

@@ -26,7 +26,6 @@ def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
     region.share = 1.0
     if tables.load == LOAD_VERTICAL:
         region.share = upright_share(frame.place, cosine, region.sin)
-    return 0
 
 
 def measure_contact(tables: Tables, frame: Frame, state: State):
@@ -34,7 +33,6 @@ def measure_contact(tables: Tables, frame: Frame, state: State):
     gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
     frame.bend = bend
     frame.curvature = curvature
-    return 0
 
 
 def open_contact_region(tables: Tables, frame: Frame, region: Region):
@@ -48,4 +46,3 @@ def open_contact_region(tables: Tables, frame: Frame, region: Region):
     region.low = -BEYOND
     region.high = BEYOND
     incline_region(tables, frame, region, frame.plane.sin / frame.plane.cos)
-    return 0

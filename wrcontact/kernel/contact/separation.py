@@ -15,16 +15,7 @@ not where the wheelset is.
 
 from math import sqrt
 
-from ..layout import (
-    RAIL,
-    SEPARATION_NORMAL,
-    SEPARATION_VERTICAL,
-    WHEEL,
-    Frame,
-    Origin,
-    State,
-    Tables,
-)
+from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, State, Tables, seldom
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope_bend
 from .contact_plane import NO_GAP, normal_gap
@@ -33,15 +24,16 @@ from .moves import move_across, move_to_station
 from .pressed import mean_bend, pressed_gap
 
 
+@seldom
 def vertical_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
-    """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it
+    """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and whether it
     exists."""
     per_station = frame.plane.cos
     lateral = (station - origin.station) * per_station
     exists = move_across(tables, frame, origin, lateral)
     frame.traces[RAIL].abscissa = origin.points[RAIL].y + lateral
     if within(tables, RAIL, frame.traces[RAIL].abscissa) != frame.traces[RAIL].abscissa:
-        exists = 0
+        exists = False
     across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, frame, origin, RAIL,
                                                                 frame.traces[RAIL].abscissa)
     across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
@@ -49,9 +41,10 @@ def vertical_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
     return rail_down - down, (rail_slope - slope) * per_station, bend * per_station * per_station, exists
 
 
+@seldom
 def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
     """Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed,
-    its rate [-] and bend [1/m] over the stations, and 1 if it exists.
+    its rate [-] and bend [1/m] over the stations, and whether it exists.
 
     With angles theta of the tangents and n = (sin, -cos) of their mean, d = (p_w - p_r) n and
 
@@ -77,14 +70,13 @@ def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: floa
     size = sqrt(cosine * cosine + sine * sine)
     cosine /= size
     sine /= size
-    exists = 0
-    if on_rail == 1 and on_wheel == 1 and stretch > 0.0:
-        exists = 1
+    exists = on_rail and on_wheel and stretch > 0.0
     rate = (wheel_cos - rail_cos) * sine - (wheel_sin - rail_sin) * cosine
     rate += 0.5 * (across * cosine + down * sine) * (wheel_curvature + rail_curvature)
     return across * sine - down * cosine, rate, rail_curvature - wheel_curvature, exists
 
 
+@seldom
 def depth_lost(tables: Tables, frame: Frame):
     """How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
     pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-]."""
@@ -95,6 +87,7 @@ def depth_lost(tables: Tables, frame: Frame):
     return frame.depth * (1.0 - along), frame.depth * across * bend * cosine * cosine * cosine
 
 
+@seldom
 def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State, station: float, kind: int):
     """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
     region's minimum."""
@@ -109,7 +102,7 @@ def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State,
         lost, more = depth_lost(tables, frame)
         gap += lost
         rate += more
-    if exists == 0:
+    if not exists:
         gap = NO_GAP
     y = frame.traces[WHEEL].abscissa
     z, slope, wheel_bend = height_slope_bend(tables.wheel, y)

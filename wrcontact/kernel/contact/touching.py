@@ -13,7 +13,7 @@ with (X, Z) the wheel's point at abscissa y in its present pose.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import Frame, Place, Tables
+from ..layout import Frame, Place, Tables, seldom
 from ..surface.profile_table import height_slope
 from .pressed import LINE_SHARP, meet_wheel
 
@@ -29,6 +29,7 @@ LEVEL_RISE: Final[float] = 1e-4
 ZERO_RISE: Final[float] = 1e-9
 
 
+@seldom
 def limited(step: float, limit: float):
     """``step``, no longer than ``limit`` either way."""
     if step > limit:
@@ -38,11 +39,12 @@ def limited(step: float, limit: float):
     return step
 
 
+@seldom
 def turning_point(tables: Tables, place: Place, low: float, high: float, y: float,
                   height: float, sign: float):
     """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
     abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
-    value: 1 if the slope changes its sign there, else 0: it may do so a little beyond the bracket.
+    value: whether the slope changes its sign there: it may do so a little beyond the bracket.
 
     The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
     Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
@@ -52,19 +54,19 @@ def turning_point(tables: Tables, place: Place, low: float, high: float, y: floa
     overlap = 0.0
     rise = 1.0
     before = 0.0
-    moved_low = 0
-    moved_high = 0
+    moved_low = False
+    moved_high = False
     for i in range(DEEP_ITERATIONS):
         y, overlap, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, height,
                                                                          LINE_SHARP)
-        if found == 0:
-            return x, y, overlap, 0
+        if not found:
+            return x, y, overlap, False
         if sign * rise > 0.0:
             low = x
-            moved_low = 1
+            moved_low = True
         else:
             high = x
-            moved_high = 1
+            moved_high = True
         following = 0.5 * (low + high)
         if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
             z_rail, slope = height_slope(tables.rail, x)
@@ -75,7 +77,5 @@ def turning_point(tables: Tables, place: Place, low: float, high: float, y: floa
             break
         x = following
         before = fabs(rise)
-    turned = 0
-    if fabs(rise) < ZERO_RISE or (fabs(rise) < LEVEL_RISE and moved_low * moved_high == 1):
-        turned = 1
+    turned = fabs(rise) < ZERO_RISE or (fabs(rise) < LEVEL_RISE and moved_low and moved_high)
     return x, y, overlap, turned

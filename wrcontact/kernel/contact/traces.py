@@ -29,7 +29,6 @@ def start_traces(frame: Frame, station: float, abscissa: float, y: float):
     frame.traces[WHEEL].abscissa = y
     frame.traces[WHEEL].rate = frame.plane.cos
     frame.traces[WHEEL].bend = 0.0
-    return 0
 
 
 def first_abscissa(trace: Trace, away: float):
@@ -43,13 +42,13 @@ def first_abscissa(trace: Trace, away: float):
 def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction, trace: Trace,
                   station: float, tolerance: float):
     """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
-    there [-], its height [m], and 1 if it exists.
+    there [-], its height [m], and whether it exists.
 
     point : the profile's point at station zero.
     plane : inclination of the contact plane in the profile's coordinates.
     """
     u = first_abscissa(trace, station - frame.station)
-    exists = 0
+    exists = False
     excess = 0.0
     forward = 1.0
     height = 0.0
@@ -65,7 +64,7 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
         excess = (u - point.y) * plane.cos + (height - point.z) * plane.sin - station
         if fabs(excess) < tolerance:
             if forward > 0.0:
-                exists = 1
+                exists = True
             break
         u -= excess / forward
     along = 1.0 / forward
@@ -81,8 +80,8 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
 
 
 def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
-    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it
-    exists."""
+    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
+    it exists."""
     ordinate, rate, bend, slope, height, exists = trace_profile(frame, tables.rail, frame.rail, frame.plane,
                                                                 frame.traces[RAIL], station, tolerance)
     return ordinate, rate, bend, exists
@@ -90,7 +89,7 @@ def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
 
 def trace_wheel(tables: Tables, frame: Frame, station: float, tolerance: float):
     """Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
-    ``station``; and 1 if it exists.
+    ``station``; and whether it exists.
 
     Without yaw the outline is the profile, turned by the roll.
     """
@@ -117,7 +116,7 @@ def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float
     left = tables.rail_y + frame.rail.y - frame.aside
     above = frame.shift - frame.rail.z
     y = first_abscissa(trace, station - frame.station)
-    exists = 0
+    exists = False
     excess = 0.0
     along = 1.0
     across = 0.0
@@ -141,7 +140,7 @@ def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float
         excess = across * cosine + up * sine - station
         if fabs(excess) < tolerance:
             if stretch * along > 0.0:
-                exists = 1
+                exists = True
             break
         y -= excess / (stretch * along)
     per_along = 1.0 / along

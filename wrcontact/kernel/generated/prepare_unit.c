@@ -3,12 +3,5 @@
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "prepare_arcs.c"
-#include "prepare_curvatures.c"
-#include "prepare_fixed.c"
-#include "prepare_pieces.c"
-#include "prepare_placement.c"
-#include "prepare_scan.c"
-#include "prepare_tables.c"
-#include "prepare_zones.c"
-#include "profile_table.c"
+#include "prepare.c"
+#include "surface.c"

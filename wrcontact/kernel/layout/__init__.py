@@ -10,6 +10,7 @@ from .choices import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .digest import digest  # noqa: F401
 from .interface import *  # noqa: F403
+from .marks import inlined, seldom  # noqa: F401
 from .motion import *  # noqa: F403
 from .normal import *  # noqa: F403
 from .offsets import *  # noqa: F403

@@ -102,7 +102,7 @@ class Region:
     side_low: float                 # lateral curvature on either side, rise / half-width^2 [1/m]
     side_high: float
     slant: float                    # dx/ds of the line of smallest gap [-]; of a yawed wheel only
-    own: bool                       # 1 if it has a plane of its own, else 0
+    own: bool                       # Whether it has a plane of its own
     alignment: float                # cosine between its normal and the contact point's [-]
     offset: float                   # from its own stations to those of the outputs [m]
     cos: float                      # of the angle of its force: the rail's at its minimum, or a mean
@@ -151,7 +151,7 @@ class Samples:
     wheel: SampleRun
     rise: SampleRun                 # slope of the overlap [-]
     turn: SampleRun                 # what the rail's turning normal has taken from it [-]
-    adjacent: SampleRun             # 1 if no scan node lies between it and the sample before it, else 0
+    adjacent: SampleRun             # Whether no scan node lies between it and the sample before it
 
 
 @record

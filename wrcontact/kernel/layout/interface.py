@@ -21,8 +21,11 @@ from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STAT
 from ...interface.parameters import KERNEL_PARAMETERS
 from ...interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT  # noqa: F401
 from ...methods import FAMILIES as _FAMILIES
-from ...methods.normal_model import Resolution as _Resolution
-from .record import Float, record, size
+from ...methods.normal import Resolution as _Resolution
+from .record import Float, record, run, size
+
+#: Three components x, y, z.
+Vector = run(len(_rows.AXES))
 
 
 def _record_of(name, fields, words):
@@ -32,15 +35,16 @@ def _record_of(name, fields, words):
 
 def _fields_of(rows, blocks):
     """{field: type} of rows of inputs or outputs; ``blocks`` are the classes of their blocks by name."""
-    kinds = {_rows.Vector: Float * len(_rows.AXES), _rows.Run: Float * STATION_COUNT}
+    kinds = {_rows.Vector: Vector, _rows.Run: Float * STATION_COUNT}
     return {row.name if isinstance(row, _rows.Blocks) else row.field:
             blocks[row.name] * row.count if isinstance(row, _rows.Blocks) else kinds.get(type(row), float)
             for row in rows}
 
 
 Inputs = _record_of("Inputs", _fields_of(_inputs.INPUTS, {}), "What moves.")
-Patch = _record_of("Patch", _fields_of(_outputs.PATCH, {}), "Outputs of one patch.")
-SideOutputs = _record_of("SideOutputs", _fields_of(_outputs.SIDE, {"patch": Patch}), "Outputs of one wheel.")
+PatchOutputs = _record_of("PatchOutputs", _fields_of(_outputs.PATCH, {}), "Outputs of one patch.")
+SideOutputs = _record_of("SideOutputs", _fields_of(_outputs.SIDE, {"patch": PatchOutputs}),
+                         "Outputs of one wheel.")
 Outputs = _record_of("Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2},
                      "Outputs of a wheelset.")
 Parameters = _record_of("Parameters", {name: float for name in KERNEL_PARAMETERS},

@@ -27,7 +27,7 @@ class Constraint:
 
 @record
 class Motion:
-    """How the wheelset moves in the track frame."""
+    """How the wheelset and the rail of one side move in the track frame; the left side's is mirrored."""
 
     speed: float                    # of its centre along the track [m/s]
     lateral: float                  # to the right
@@ -42,5 +42,5 @@ class Motion:
     axle_z: float
     centre_y: float                 # the wheelset's centre [m]
     centre_z: float
-    rails: RailMotion * 2           # left and right
-    constraints: Constraint * 2
+    rail: RailMotion
+    constraint: Constraint

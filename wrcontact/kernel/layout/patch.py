@@ -1,18 +1,21 @@
-"""Records of the room patch: the solved contact patches of one wheel.
+"""Records of the room patch: the contact patches of a wheel, from the model of normal contact to the report.
 
-A model of normal contact fills them; totals, outline and resultant read them, and so will a model of
-tangential contact.
+Everything stands in the frame of a right wheel: y to the field side, z down.  A left wheel is mirrored where
+its forces are added to those of the right one, and in the report.
 """
 
 from typing import Final
 
 from .contact import REGION_LIMIT
-from .interface import RUN_COUNT, STATION_LIMIT
-from .record import Float, record, size
+from .interface import RUN_COUNT, STATION_LIMIT, Vector
+from .record import Float, record, run, size
 
 SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
-SOLVED_PART_LIMIT: Final[int] = SOLVED_PATCH_LIMIT + REGION_LIMIT
 SOLVED_STRIP_LIMIT: Final[int] = 768     # strips of all of them: the nodes of three regions
+ROLLING_STRIP_LIMIT: Final[int] = 16     # strips that a patch is cut into along the rolling direction
+
+#: A number for each region.
+RegionRun = run(REGION_LIMIT)
 
 # how half-length and pressure follow between the strips of a patch (patch/interpolation.py)
 RULE_ELLIPSE: Final[int] = 0         # the patch is an ellipse and has no strips: in closed form
@@ -46,64 +49,92 @@ class PatchTotals:
     width: float                    # from edge to edge [m]
 
 
-@record
-class SolvedPart:
-    """What of a patch lies in one region; it has one normal."""
-
-    patch: int                      # indices of both
-    region: int
-    load: float                     # [N]
-    moment: float                   # of the load about station zero [N m]
-
-
-@record
-class PatchForce:
-    """The force of a patch on its wheel, in the track's axes; x has no part of it without friction."""
-
-    y: float                        # [N]
-    z: float
-    x_track: float                  # its centre of load [m]
-    y_track: float
-    z_track: float
-    moment_x: float                 # about the track's origin [N m]
-    moment_y: float
-    moment_z: float
-    rolling_radius: float           # at the centre of load [m]
-
-
-@record
-class SolvedPatch:
-    totals: PatchTotals
-    force: PatchForce               # written by the wheelset's resultant, as is
-    local_penetration: float        # that of the undeformed surfaces at its point, the largest [m]
-    contact_angle: float            # of the rail at its point [rad]
-    cos: float                      # of the angle along which its force acts
-    sin: float
-    rail: float                     # its point, the closest or deepest one: rail abscissa [m],
-    wheel: float                    # wheel abscissa [m],
-    station: float                  # station [m],
-    x: float                        # track coordinate x [m]
-    slant: float                    # of the line through the strips' middles, dx/ds [-]; 0 without yaw
-    rule: int                       # how to interpolate between its strips, one of RULE_...
-    first: int                      # the strips that it lies between: the outermost may have no width
-    last: int
-    rank: int                       # its place among the patches by load, from 1
-
-
-SOLVED_PATCH_SIZE: Final[int] = size(SolvedPatch)
 SolvedStrips = SolvedStrip * SOLVED_STRIP_LIMIT
 
 
 @record
-class SolvedPatches:
-    count: int
-    totals: PatchTotals             # of all patches
-    pressure_square: float          # squares of the largest pressure [Pa^2] of the patch that is filled and
-    half_length_square: float       # of its largest half-length [m^2] so far
-    patches: SolvedPatch * SOLVED_PATCH_LIMIT
-    part_count: int
-    parts: SolvedPart * SOLVED_PART_LIMIT
-    strips: SolvedStrips
+class RollingStrip:
+    """A strip of a patch along the rolling direction, with the creep force on it."""
+
+    start: float                    # stations of its edges [m]
+    stop: float
+    station: float                  # and of its middle
+    y: float                        # its middle, from the patch's centre of load [m]
+    width: float                    # [m]
+    x: float                        # how far its middle is ahead of the centre of load [m]
+    half_length: float              # [m]
+    line_load: float                # load per width [N/m]
+    slip: float                     # its longitudinal creepage [-]
+    y_track: float                  # track coordinates of its middle [m]
+    z_track: float
+    rolling_radius: float           # there [m],
+    radius_share: float             # and over its distance from the axle [-]
+    force_x: float                  # creep force on the wheel per width [N/m],
+    force_y: float
+    moment: float                   # and moment of the lateral one about the centre of load, per width [N]
+
+
+@record
+class Forces:
+    """Forces on a patch, a wheel or the wheelset, and their moments about the wheelset's centre."""
+
+    force: Vector                   # [N]
+    moment: Vector                  # [N m]
+    normal_force: Vector            # of the pressures alone
+    normal_moment: Vector
+    driving_torque: float           # of the creep forces about the axle [N m], positive where it drives
+    friction_power: float           # that friction takes [W]
+    wear_number: float              # creep forces times creepages [N]
+
+
+@record
+class Patch:
+    """One contact patch of a wheel, from its normal model to the report."""
+
+    totals: PatchTotals
+    pressure_square: float          # squares of the largest pressure [Pa^2] and of the largest half-length
+    half_length_square: float       # [m^2], while it is filled
+    loads: RegionRun                # what of its load lies in each region [N],
+    moments: RegionRun              # and the moment of that about station zero [N m]
+    rank: int                       # its place among the patches of the wheel by load, from 1; 0: no load
+    rule: int                       # how to interpolate between its solved strips, one of RULE_...
+    first: int                      # the solved strips that it lies between: the outermost may have no width
+    last: int
+    slant: float                    # of the line through the strips' middles, dx/ds [-]; 0 without yaw
+    rail: float                     # its point, the closest or deepest one: rail abscissa [m],
+    wheel: float                    # wheel abscissa [m],
+    station: float                  # station [m],
+    x: float                        # track coordinate x [m]
+    penetration: float              # of the undeformed surfaces at its point [m]
+    contact_angle: float            # of its force [rad]
+    x_track: float                  # its centre of load [m]
+    y_track: float
+    z_track: float
+    rolling_radius: float           # there [m]
+    normal_y: float                 # force of its pressures [N]; x has no part of it
+    normal_z: float
+    normal_moment: Vector           # and its moment about the track's origin [N m]
+    half_length: float              # semi-axes of the ellipse with its area, length over width [m]
+    half_width: float
+    friction: float                 # coefficient of friction [-]
+    speed: float                    # the rolling speed [m/s]
+    creepage_x: float               # velocity of the wheel on the rail over the rolling speed: x forward,
+    creepage_y: float               # y to the field side [-],
+    spin: float                     # and its turning about x times y [1/m]
+    radius_share: float             # rolling radius over the distance from the axle [-]
+    backwards: bool                 # whether it rolls towards -x
+    strips: RollingStrip * ROLLING_STRIP_LIMIT
+    creep_x: float                  # creep force on the wheel [N], in the frame of the creepages
+    creep_y: float
+    creep_moment: float             # and its moment about the normal through the centre of load [N m]
+    stick_share: float              # share of the area that sticks [-]
+    max_shear: float                # largest traction [Pa]
+    saturation: float               # creep force over friction times load [-]
+    forces: Forces
+
+
+PATCH_SIZE: Final[int] = size(Patch)
+Patches = Patch * SOLVED_PATCH_LIMIT
 
 
 @record

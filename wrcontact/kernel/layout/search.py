@@ -3,6 +3,8 @@ were tried, and starts."""
 
 from typing import Final
 
+from .motion import Motion
+from .patch import Forces, Outline, Patches, PatchTotals
 from .record import OPEN, Float, To, record, run, size
 from .surface import Place
 
@@ -82,8 +84,26 @@ class Candidate:
 
 
 @record
+class ContactPoint:
+    """Where a wheel touches or overlaps its rail most, in the frames of wheel, rail and track."""
+
+    x_wheel: float                   # [m]
+    y_wheel: float
+    z_wheel: float
+    y_rail: float
+    z_rail: float
+    x_track: float
+    y_track: float
+    z_track: float
+    contact_angle: float             # [rad]
+    rolling_radius: float            # [m]
+    curvature_x: float               # relative ones [1/m]
+    curvature_y: float
+
+
+@record
 class SideSearch:
-    """One wheel over its rail, and what the search has found."""
+    """One wheel on its rail: what the search has found, its patches, and the forces on it."""
 
     place: Place
     best: float                      # smallest gap found [m]
@@ -94,6 +114,14 @@ class SideSearch:
     last: int
     candidates: Candidate * (2 * CANDIDATES)
     stack: Cell * STACK_LIMIT
+    point: ContactPoint
+    penetration: float               # approach of the two bodies along the normal [m]
+    patch_count: int
+    patches: Patches                 # by rising station
+    totals: PatchTotals              # of all of them
+    outline: Outline
+    motion: Motion
+    forces: Forces
 
 
 #: Left and right side.

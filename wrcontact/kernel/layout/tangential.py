@@ -1,4 +1,4 @@
-"""Records of the room tangential: a patch that rolls, as the models of creep forces read it.
+"""Records of the room tangential: what the models of creep forces work with.
 
 They know one frame: x forward, y = station to the field side, and the normal x times y.  Creepages are the
 velocity of the wheel against the rail over the rolling speed.
@@ -6,10 +6,8 @@ velocity of the wheel against the rail over the rolling speed.
 
 from typing import Final
 
-from .interface import PATCH_LIMIT
+from .patch import ROLLING_STRIP_LIMIT
 from .record import Float, record, run
-
-ROLLING_STRIP_LIMIT: Final[int] = 16
 
 # the table of rolling: columns over the shape of a patch, ln(a/b), as cubics over even cells
 SHAPE_START: Final[float] = -3.0
@@ -48,27 +46,6 @@ class RollingTable:
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE
-
-
-@record
-class RollingStrip:
-    """A strip of the patch along the rolling direction."""
-
-    start: float                    # stations of its edges [m]
-    stop: float
-    station: float                  # and of its middle
-    y: float                        # its middle, from the point that the creepages hold for [m]
-    width: float                    # [m]
-    x: float                        # how far its middle is ahead of that point [m]
-    half_length: float              # [m]
-    line_load: float                # load per width [N/m]
-    slip: float                     # its longitudinal creepage [-]
-    y_track: float                  # track coordinates of its middle [m]
-    z_track: float
-    rolling_radius: float           # there [m]
-    force_x: float                  # what is found: force on the wheel per width [N/m],
-    force_y: float
-    moment: float                   # and moment of the lateral one about the patch's point, per width [N]
 
 
 BLOCK_COUNT: Final[int] = 8          # pairs of strips, for which stiffnesses are found
@@ -162,38 +139,14 @@ class RollingMarches:
 
 
 @record
-class RollingPatch:
-    """What a model of creep forces reads, and what it finds."""
+class Rolling:
+    """What the models of creep forces work with, one patch after the other."""
 
-    count: int                      # strips
-    load: float                     # normal force [N]
-    half_length: float              # semi-axes of the ellipse with its area, length over width [m]
-    half_width: float
-    friction: float                 # coefficient of friction [-]
-    speed: float                    # the rolling speed [m/s]
-    creepage_x: float               # [-]
-    creepage_y: float
-    spin: float                     # [1/m]
-    backwards: bool                 # whether it rolls towards -x
     bare: bool                      # whether only the sum over the strips is asked for
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
-    strips: RollingStrip * ROLLING_STRIP_LIMIT
     blocks: RollingBlocks
     equations_x: BlockMatrix        # of the blocks, for longitudinal and lateral creepage and for spin
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
     march: RollingMarch
     marches: RollingMarches
-    force_x: float                  # what is found: force on the wheel [N]
-    force_y: float
-    moment: float                   # and moment about the normal through the point [N m]
-    stick_share: float              # share of the area that sticks [-]
-    max_shear: float                # largest traction [Pa]
-
-
-@record
-class RollingSide:
-    """The patches of a wheel that are reported, by falling load."""
-
-    count: int
-    patches: RollingPatch * PATCH_LIMIT

@@ -1,12 +1,16 @@
 """Records of the room wheelset: how each side carries its load, and what one step leaves for the next."""
 
-from typing import Final
+from .patch import Forces
+from .record import record
 
-from .record import record, run
 
-RESULTANT_COUNT: Final[int] = 6
-#: Force x, y, z [N] and moment x, y, z [N m].
-Resultant = run(RESULTANT_COUNT)
+@record
+class Wheelset:
+    """Where the wheelset stands, and the forces on it."""
+
+    roll: float                     # [rad]
+    vertical_shift: float           # [m]
+    forces: Forces
 
 
 @record
@@ -16,7 +20,6 @@ class Support:
     approach: float                 # how far the wheel is estimated to come down below its smallest gap [m]
     height: float                   # the vertical shift at which it carries its load [m]
     lever: float                    # how that follows the roll [m]
-    resultant: Resultant            # force on the wheel and its moment about the track's origin
     friction_load: float            # what its normal forces are to carry, over the load of the inputs [-]
     load_before: float              # the one before [-],
     share_before: float             # and what share of the wanted force it has given [-]

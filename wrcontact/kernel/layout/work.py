@@ -2,18 +2,17 @@
 
 from .contact import DeepPoints, Frame, KeptFrames, Origin, Overlap, Regions
 from .interface import Inputs, Outputs
-from .motion import Motion
 from .normal import Equations, NodesOfRegions, StripProblem
-from .patch import Outline, SolvedPatches
+from .patch import Outline, Patch, SolvedStrips
 from .record import Float, record
 from .search import RollTrials, Sides
-from .tangential import RollingPatch, RollingSide
-from .wheelset import Bracket, Broyden, Reference, Supports
+from .tangential import Rolling
+from .wheelset import Bracket, Broyden, Reference, Supports, Wheelset
 
 
 @record
 class Contact:
-    """The contact of one wheel while it is solved, from its frame to its solved patches."""
+    """The contact of one wheel while it is solved, from its frame to the strips of its normal model."""
 
     filling: bool                   # whether patches are filled in, or only the penetration is wanted
     coarse: bool                    # whether an approximate penetration is enough
@@ -21,7 +20,7 @@ class Contact:
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions
-    solved: SolvedPatches
+    strips: SolvedStrips
     strip_problem: StripProblem
     equations: Equations
     origin: Origin
@@ -45,7 +44,7 @@ class Work:
     height_bracket: Bracket
     roll_bracket: Bracket
     trials: RollTrials
-    motion: Motion
     reference: Reference
-    rolling_sides: RollingSide * 2  # patches of the left and right wheel, cut into strips
-    rolling: RollingPatch           # a patch by itself, apart from a step
+    wheelset: Wheelset
+    rolling: Rolling
+    patch: Patch                    # a patch by itself, apart from a step

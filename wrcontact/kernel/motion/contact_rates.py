@@ -7,44 +7,46 @@ rail has no part along the normal n.  With the velocity v of the wheelset's cent
 
 at each wheel, two linear equations for the two that are not given.  The rotation about the axle is left out:
 it does not move the surface of a round wheel, whose normal goes through the axle.
+
+Each wheel has its equation in its own frame, in which the left side is mirrored, and so is its roll rate.
 """
 
 from math import cos, sin
 
-from ..layout import Constraint, Inputs, Motion, SideOutputs
+from ..layout import ContactPoint, Forces, Inputs, Motion
+from .wheelset_motion import set_rates
 
 
-def touching_constraint(motion: Motion, side: SideOutputs, mirror: float, constraint: Constraint):
-    """The normal of the place where a rigid wheel touches its rail; ``mirror`` = 1 on the right, -1 on the
-    left."""
-    x = side.x_track
-    y = side.y_track - motion.centre_y
-    z = side.z_track - motion.centre_z
-    normal_y = -mirror * sin(side.contact_angle)
-    normal_z = -cos(side.contact_angle)
+def constrain_touching(motion: Motion, point: ContactPoint):
+    """The normal of the place where a rigid wheel touches its rail keeps it there."""
+    constraint = motion.constraint
+    x = point.x_track
+    y = point.y_track - motion.centre_y
+    z = point.z_track - motion.centre_z
+    normal_y = -sin(point.contact_angle)
+    normal_z = -cos(point.contact_angle)
     constraint.y = normal_y
     constraint.z = normal_z
     constraint.moment_x = y * normal_z - z * normal_y
     constraint.moment_y = -x * normal_z
     constraint.moment_z = x * normal_y
-    return 0
 
 
-def loaded_constraint(side: SideOutputs, constraint: Constraint):
-    """The force of an elastic wheel [N] and its moment about the wheelset's centre [N m]: what its patches
-    approach is zero in the mean over the load, which stays."""
-    constraint.y = side.force[1]
-    constraint.z = side.force[2]
-    constraint.moment_x = side.moment[0]
-    constraint.moment_y = side.moment[1]
-    constraint.moment_z = side.moment[2]
-    return 0
+def constrain_loaded(motion: Motion, forces: Forces):
+    """The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
+    what its patches approach is zero in the mean over the load, which stays."""
+    constraint = motion.constraint
+    constraint.y = forces.normal_force[1]
+    constraint.z = forces.normal_force[2]
+    constraint.moment_x = forces.normal_moment[0]
+    constraint.moment_y = forces.normal_moment[1]
+    constraint.moment_z = forces.normal_moment[2]
 
 
-def known_part(motion: Motion, index: int):
-    """What the velocities that are known do with the constraint of side ``index``."""
-    constraint = motion.constraints[index]
-    rail = motion.rails[index]
+def known_part(motion: Motion):
+    """What the velocities that are known do with the constraint of a side."""
+    constraint = motion.constraint
+    rail = motion.rail
     # of the force about the point about which the rail rolls
     rail_moment = (constraint.moment_x + (motion.centre_y - rail.y) * constraint.z
                    - (motion.centre_z - rail.z) * constraint.y)
@@ -52,21 +54,19 @@ def known_part(motion: Motion, index: int):
             - constraint.z * rail.vertical - rail_moment * rail.roll)
 
 
-def contact_rates(motion: Motion, inputs: Inputs):
+def set_contact_rates(left: Motion, right: Motion, inputs: Inputs):
     """Vertical velocity [m/s] and roll rate [rad/s] with which both constraints hold; zero where they cannot
     tell."""
     sin_yaw = sin(inputs.yaw)
     cos_yaw = cos(inputs.yaw)
-    left = motion.constraints[0]
-    right = motion.constraints[1]
-    left_roll = cos_yaw * left.moment_x + sin_yaw * left.moment_y
-    right_roll = cos_yaw * right.moment_x + sin_yaw * right.moment_y
-    known_left = known_part(motion, 0)
-    known_right = known_part(motion, 1)
-    determinant = left.z * right_roll - right.z * left_roll
+    left_roll = sin_yaw * left.constraint.moment_y - cos_yaw * left.constraint.moment_x
+    right_roll = cos_yaw * right.constraint.moment_x + sin_yaw * right.constraint.moment_y
+    known_left = known_part(left)
+    known_right = known_part(right)
+    determinant = left.constraint.z * right_roll - right.constraint.z * left_roll
     vertical = 0.0
     roll_rate = 0.0
     if determinant != 0.0:
         vertical = (known_right * left_roll - known_left * right_roll) / determinant
-        roll_rate = (known_left * right.z - known_right * left.z) / determinant
-    return vertical, roll_rate
+        roll_rate = (known_left * right.constraint.z - known_right * left.constraint.z) / determinant
+    set_rates(left, right, inputs, vertical, roll_rate)

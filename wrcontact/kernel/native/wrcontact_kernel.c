@@ -21,14 +21,14 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
                                 span_of(statuses, count));
 }
 
-void wrcontact_cut_patch(array_double_1d workspace, int64_t index)
+void wrcontact_cut_patch(array_double_1d workspace)
 {
-    sections__cut_patch(workspace, index, layout__WORK_ROLLING);
+    sections__cut_patch(workspace, layout__WORK_PATCH);
 }
 
 void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace)
 {
-    tangential_contact__solve_tangential(workspace, tables, layout__WORK_ROLLING);
+    tangential_contact__solve_tangential(workspace, tables, layout__WORK_PATCH);
 }
 
 int64_t wrcontact_abi(void)

@@ -1,7 +1,7 @@
 /* The contact kernel as C sees it.
  *
  * The caller owns all memory; nothing is allocated or kept between calls, so handles on different memory may be stepped by
- * different threads.  generated/layout.h says what the arrays hold, wrcontact/status.py what a status means.
+ * different threads.  generated/kernel.h says what the arrays hold, wrcontact/status.py what a status means.
  */
 #ifndef WRCONTACT_KERNEL_H
 #define WRCONTACT_KERNEL_H
@@ -35,10 +35,10 @@ WRCONTACT_EXPORT int wrcontact_step(const wrcontact_handle *handle);
 WRCONTACT_EXPORT int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *inputs, double *outputs,
                                          double *statuses);
 
-/* Cut solved patch `index` of the workspace into the strips of its rolling patch. */
-WRCONTACT_EXPORT void wrcontact_cut_patch(array_double_1d workspace, int64_t index);
+/* Cut the patch by itself in the workspace into strips along the rolling direction. */
+WRCONTACT_EXPORT void wrcontact_cut_patch(array_double_1d workspace);
 
-/* The creep force of the rolling patch in the workspace. */
+/* The creep force of the patch by itself in the workspace. */
 WRCONTACT_EXPORT void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace);
 
 /* The fingerprint of the sources this was compiled from; see wrcontact/kernel/binding/files.py. */

@@ -101,10 +101,10 @@ def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
 
 
 def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int,
-                 force: float, penetration: float, prescribed: int):
+                 force: float, penetration: float, prescribed: bool):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
     Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
-    value: 1 when the force is satisfied, else 0.
+    value: whether the force is satisfied.
     """
     for i in range(count):
         region = regions[i]
@@ -128,7 +128,7 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
         slope_before = slope
         move = 0.0
         missed = 0.0
-        if prescribed == 0:
+        if not prescribed:
             missed = fabs(force - total)
             if residual <= CLOSED * penetration and missed > 10.0 * CLOSED * force:
                 if total < force:
@@ -137,12 +137,12 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
                     high = penetration
             move = penetration_move(force, total, slope, rest, penetration, low, high)
         if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration:
-            return penetration, 1
+            return penetration, True
         penetration += move
         apply_moves(regions, count, move)
         if missed <= NEARLY_SHARP * force and residual <= NEARLY_SHARP * penetration:
-            return penetration, 1
-    return penetration, 0
+            return penetration, True
+    return penetration, False
 
 
 def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float,
@@ -219,4 +219,3 @@ def apply_moves(regions: Regions, count: int, move: float):
     for i in range(count):
         region = regions[i]
         region.local_penetration += region.move + region.slope * move
-    return 0

@@ -30,37 +30,37 @@ ENLARGED: Final[float] = 1.4
 
 def analyn_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                    prescribed: float):
-    """Fill the solved patches by ANALYN if they are wanted; penetration [m], number of regions, and 1 when
-    the force is satisfied, else 0."""
+    """Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
+    whether the force is satisfied."""
     penetration, count, satisfied = solve_analyn(tables, contact, state, side, force, prescribed)
-    if satisfied == 1 and contact.filling:
+    if satisfied and contact.filling:
         locate_along_track(tables, contact.frame, contact.regions, count)
-        fill_from_nodes(contact.regions, contact.nodes, contact.solved, count)
+        fill_from_nodes(contact, side, count)
     return penetration, count, satisfied
 
 
 def solve_analyn(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                  prescribed: float):
     """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
-    is a number; third value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it
+    is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
     stands."""
-    by_penetration = 0
+    by_penetration = False
     penetration = prescribed
     if isfinite(prescribed):
-        by_penetration = 1
+        by_penetration = True
     if contact.frame.pressed:
         penetration, count, satisfied = solve_estimated(tables, contact, state, contact.frame.depth, force,
                                                         by_penetration)
         return penetration, count, satisfied
-    if by_penetration == 0:
+    if not by_penetration:
         penetration = first_penetration(tables, contact, state, force)
     count = 0
-    satisfied = 0
+    satisfied = False
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
         if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
             # it overlaps most at the end of a profile
-            return penetration, 0, 0
+            return penetration, 0, False
         penetration, count, satisfied = solve_estimated(tables, contact, state, estimate, force,
                                                         by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
@@ -69,12 +69,12 @@ def solve_analyn(tables: Tables, contact: Contact, state: State, side: SideSearc
 
 
 def solve_estimated(tables: Tables, contact: Contact, state: State, estimate: float, force: float,
-                    by_penetration: int):
+                    by_penetration: bool):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
-    value 1 when the force is satisfied, else 0."""
+    value: whether the force is satisfied."""
     count = gather_regions(tables, contact, state, estimate)
     penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
-    if satisfied == 0 and count > 1:
+    if not satisfied and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         keep_deepest(contact.overlap)
         count = gather_regions(tables, contact, state, estimate)
@@ -94,19 +94,19 @@ def gather_regions(tables: Tables, contact: Contact, state: State, penetration: 
 
 
 def solve_fine(tables: Tables, contact: Contact, state: State, count: int, force: float, penetration: float,
-               by_penetration: int):
-    """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when
-    the force is satisfied, else 0."""
+               by_penetration: bool):
+    """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
+    the force is satisfied."""
     start = penetration
     enlarge = 1.0
-    satisfied = 0
+    satisfied = False
     for repeat in range(COVER_REPEATS):
         prepare_regions(tables, contact, state, count, enlarge)
         penetration, satisfied = solve_penetrations(tables, contact.regions, contact.nodes, state, count,
                                                     force, start, by_penetration)
-        if satisfied == 0:
+        if not satisfied:
             return start, satisfied
-        if covered(contact.frame, contact.regions, contact.nodes, count) == 1:
+        if covered(contact.frame, contact.regions, contact.nodes, count):
             break
         if repeat < COVER_REPEATS - 1:
             enlarge *= ENLARGED

@@ -37,4 +37,3 @@ def eliminate(equations: Equations, size: int):
             other -= pivot[j] * row[size + 1]
         pivot[size] = one / pivot[k]
         pivot[size + 1] = other / pivot[k]
-    return 0

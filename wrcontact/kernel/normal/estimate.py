@@ -61,4 +61,3 @@ def start_penetrations(regions: Regions, count: int, penetration: float):
         if local < LEAST_SHARE * penetration:
             local = LEAST_SHARE * penetration
         region.local_penetration = local
-    return 0

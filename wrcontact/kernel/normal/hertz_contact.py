@@ -3,30 +3,21 @@
 from math import isfinite, pi, sqrt
 
 from ..contact.planes import locate_along_track
-from ..layout import RULE_ELLIPSE, Contact, Region, SideOutputs, SolvedPatches, Tables
-from ..patch.filling import fill_single, place_patch
+from ..layout import RULE_ELLIPSE, Contact, SideSearch, Tables
+from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from .hertz import hertz_coefficients, hertz_stiffness
 from .node_coefficients import FLOOR
 
 
-def hertz_contact(tables: Tables, contact: Contact, point: SideOutputs, force: float, prescribed: float):
-    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and
-    1: the force is satisfied."""
-    locate_along_track(tables, contact.frame, contact.regions, 1)
-    penetration = solve_hertz(tables, point, contact.regions[0], contact.solved, force, prescribed)
-    return penetration, 1, 1
-
-
-def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float,
-                prescribed: float):
-    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration
-    [m] if that is a number; the penetration [m].
-
-    point : the outputs of the side, which describe its contact point.
-    region : the region at this point.
+def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
+    """Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
+    penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
 
     A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
     """
+    locate_along_track(tables, contact.frame, contact.regions, 1)
+    region = contact.regions[0]
+    point = side.point
     table = tables.hertz
     A = 0.5 * point.curvature_x
     B = 0.5 * point.curvature_y
@@ -45,18 +36,14 @@ def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: Solv
     one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
-    area = pi * half_length * half_width
-    patch = solved.patches[0]
-    place_patch(patch, region, 0, RULE_ELLIPSE, point.contact_angle)
-    totals = patch.totals
-    totals.load = load
-    totals.area = area
-    totals.moment = 0.0
-    totals.centroid = 0.0
-    totals.max_pressure = 1.5 * load / area
-    totals.max_half_length = half_length
-    totals.start = -half_width
-    totals.stop = half_width
-    totals.width = 2.0 * half_width
-    fill_single(solved)
-    return penetration
+    clear_patches(side)
+    patch = side.patches[begin_patch(side, region, -half_width, 0, RULE_ELLIPSE, point.contact_angle)]
+    add_load(patch, 0, load, 0.0)
+    patch.totals.area = pi * half_length * half_width
+    patch.totals.stop = half_width
+    pressure = 1.5 * load / patch.totals.area
+    patch.pressure_square = pressure * pressure
+    patch.half_length_square = half_length * half_length
+    finish_patch(side)
+    finish_patches(side)
+    return penetration, 1, True

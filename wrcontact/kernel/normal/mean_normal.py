@@ -41,4 +41,3 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
         region.sin = sines / total
         if tables.load == LOAD_VERTICAL:
             region.share = upright_share(frame.place, region.cos, region.sin)
-    return 0

@@ -78,18 +78,16 @@ def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, midd
     return secant, side, B
 
 
-def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed: int):
+def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed: bool):
     """ANALYN's coefficients at the nodes of a region: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its
     own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
     0."""
     table = tables.hertz
-    prepared = 0
-    if tables.lateral != LATERAL_ADAPTIVE:
-        prepared = 1
+    prepared = tables.lateral != LATERAL_ADAPTIVE
     alpha_factor = 1.0
     beta_factor = 1.0
     nr_factor = 1.0
-    if yawed == 1:
+    if yawed:
         alpha_factor, beta_factor, nr_factor = skew_factors(tables, region, nodes.A[0])
     mean = 0.5 * (region.width_low + region.width_high)
     middle = second_difference(nodes.gap, 0, region.spacing, window)
@@ -98,7 +96,7 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     for k in range(region.first, region.last + 1):
         A = nodes.A[k]
         least = FLOOR * A
-        if prepared == 1:
+        if prepared:
             B = nodes.B[k]
             if B < least:
                 B = least
@@ -109,7 +107,7 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
         alpha = table_value(table, 0, log(secant / A))
         beta = table_value(table, 0, log(A / side))
         nr = table_value(table, 6, log(B / A))
-        if yawed == 1:
+        if yawed:
             alpha *= alpha_factor
             beta *= beta_factor
             nr *= nr_factor
@@ -117,7 +115,6 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
         nodes.rise[k] = beta * nodes.gap[k]
         nodes.line[k] = tables.contact_modulus / nr
         nodes.length[k] = alpha * A
-    return 0
 
 
 def skew_factors(tables: Tables, region: Region, A: float):

@@ -7,18 +7,8 @@ from typing import Final
 from ..contact.contact_plane import is_yawed
 from ..contact.planes import enter_plane, leave_plane
 from ..contact.regions import BEYOND
-from ..layout import (
-    LATERAL_ADAPTIVE,
-    LOAD_VERTICAL,
-    Contact,
-    Frame,
-    Nodes,
-    NodesOfRegions,
-    Region,
-    Regions,
-    State,
-    Tables,
-)
+from ..layout import (LATERAL_ADAPTIVE, LOAD_VERTICAL, Contact, Frame, Nodes, NodesOfRegions, Region, Regions,
+                      State, Tables)
 from .hertz import table_value
 from .mean_normal import mean_normal
 from .node_coefficients import FLOOR, weigh_nodes
@@ -76,7 +66,6 @@ def prepare_regions(tables: Tables, contact: Contact, state: State, count: int, 
         region.spacing = node_spacing(tables, region, enlarge)
         prepare_nodes(tables, contact, state, region, contact.nodes[i], enlarge)
         leave_plane(contact.frame, contact.frames, contact.regions[i])
-    return 0
 
 
 def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
@@ -88,7 +77,7 @@ def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region
     A = 0.5 * region.curvature
     low_reach = reach * zone_share(tables, A, region.side_low)
     high_reach = reach * zone_share(tables, A, region.side_high)
-    if contact.frame.pressed and yawed == 1:
+    if contact.frame.pressed and yawed:
         contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
     lay_nodes(tables, contact, state, region, nodes, low_reach, high_reach)
     bring_nearer(region, nodes)
@@ -96,12 +85,11 @@ def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region
     if contact.frame.pressed or tables.load == LOAD_VERTICAL:
         mean_normal(tables, contact.frame, region, nodes, region.local_penetration)
     region.square = region.local_penetration / nodes.length[0]
-    return 0
 
 
-def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
-    """1 if no region is loaded at an end of its nodes other than its bound, else 0."""
-    result = 1
+def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int) -> bool:
+    """Whether no region is loaded at an end of its nodes other than its bound."""
+    result = True
     for i in range(count):
         region = regions[i]
         low = region.low
@@ -114,7 +102,7 @@ def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
                 high = BEYOND
         ends = nodes[i]
         if region.local_penetration > ends.rise[region.last] and high >= BEYOND:
-            result = 0
+            result = False
         if region.local_penetration > ends.rise[region.first] and low <= -BEYOND:
-            result = 0
+            result = False
     return result

@@ -1,4 +1,4 @@
-"""From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
+"""From ANALYN's regions to patches: every node becomes a strip, every run of loaded cells a patch.
 
 Between the strips the line load and the squares of half-length and pressure follow quadratics
 (:mod:`quadrature`), so that an ellipse comes out exactly.  A patch may reach over the bound between two
@@ -8,18 +8,8 @@ regions, and a region may hold two patches.
 from math import atan, fabs, pi, sqrt
 from typing import Final
 
-from ..layout import (
-    RULE_QUADRATIC,
-    Nodes,
-    NodesOfRegions,
-    PatchTotals,
-    Region,
-    Regions,
-    SolvedPatches,
-    SolvedStrip,
-    SolvedStrips,
-)
-from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
+from ..layout import RULE_QUADRATIC, Contact, Nodes, Patch, Region, SideSearch, SolvedStrip, SolvedStrips
+from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
 from .analyn import clip_to_bound
 
@@ -27,24 +17,23 @@ from .analyn import clip_to_bound
 JOINED: Final[float] = 1e-9
 
 
-def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatches, count: int):
-    """Fill the solved patches from ``count`` regions at their local penetrations."""
-    clear_patches(solved)
+def fill_from_nodes(contact: Contact, side: SideSearch, count: int):
+    """Fill the patches of a side from ``count`` regions at their local penetrations."""
+    clear_patches(side)
     strips = 0
     for index in range(count):
-        region = regions[index]
+        region = contact.regions[index]
         region.carried = 0.0
         region.moment = 0.0
         if region.local_penetration > 0.0:
             region.strip = strips - region.first
-            fill_strips(region, nodes[index], solved.strips)
+            fill_strips(region, contact.nodes[index], contact.strips)
             strips += region.last - region.first + 1
             angle = -atan(region.inclination)
             for k in range(region.first, region.last):
-                add_cell(solved, region, index, nodes[index], k, angle)
-    finish_patch(solved)
-    finish_patches(solved)
-    return 0
+                add_cell(contact, side, index, k, angle)
+    finish_patch(side)
+    finish_patches(side)
 
 
 def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
@@ -73,12 +62,14 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
         strip.curvature = 2.0 * nodes.A[k]
     strips[middle + region.first].width = 0.5 * spacing
     strips[middle + region.last].width = 0.5 * spacing
-    return 0
 
 
-def add_cell(solved: SolvedPatches, region: Region, number: int, nodes: Nodes, k: int, contact_angle: float):
+def add_cell(contact: Contact, side: SideSearch, number: int, k: int, contact_angle: float):
     """Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
     new one that begins in it."""
+    region = contact.regions[number]
+    nodes = contact.nodes[number]
+    strips = contact.strips
     spacing = region.spacing
     deepest = region.local_penetration
     outward = 1
@@ -93,8 +84,8 @@ def add_cell(solved: SolvedPatches, region: Region, number: int, nodes: Nodes, k
     if k == region.first or k == region.last - 1:
         stop = clip_to_bound(region, low, outward, stop)
     strip = region.strip
-    inner = solved.strips[strip + low]
-    outer = solved.strips[strip + high]
+    inner = strips[strip + low]
+    outer = strips[strip + high]
     if start > 0.0 or stop < 1.0:
         narrow_strips(inner, outer, start, stop, spacing)
     if stop > start:
@@ -103,15 +94,14 @@ def add_cell(solved: SolvedPatches, region: Region, number: int, nodes: Nodes, k
         if outward < 0:
             begin = inner.station - spacing * stop
             end = inner.station - spacing * start
-        index = patch_from(solved, region, begin, strip + k, contact_angle)
-        patch = solved.patches[index]
+        index = patch_from(side, region, begin, strip + k, contact_angle)
+        patch = side.patches[index]
         patch.totals.stop = end
         patch.last = strip + k + 1
-        load, moment = add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start,
-                                stop, spacing * float(outward))
-        add_part(solved, index, number, load, moment)
-        keep_largest(solved, strip + low)
-    return 0
+        load, moment = add_part(patch, region, strips[strip + before], inner, outer, start, stop,
+                                spacing * float(outward))
+        add_load(patch, number, load, moment)
+        keep_largest(patch, strips, strip + low)
 
 
 def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: float, spacing: float):
@@ -127,28 +117,27 @@ def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: fl
             inner_share = stop - start
     inner.width += (inner_share - 0.5) * spacing
     outer.width += (outer_share - 0.5) * spacing
-    return 0
 
 
-def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, contact_angle: float):
+def patch_from(side: SideSearch, region: Region, start: float, strip: int, contact_angle: float):
     """Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
     to: the last one if that ends there, else a new one."""
-    index = solved.count - 1
-    joined = 0
+    index = side.patch_count - 1
+    joined = False
     if index >= 0:
-        last = solved.patches[index]
+        last = side.patches[index]
         if start - last.totals.stop < JOINED * region.spacing:
-            joined = 1
-    if joined == 0:
-        finish_patch(solved)
-        index = begin_patch(solved, region, start, strip, RULE_QUADRATIC, contact_angle)
+            joined = True
+    if not joined:
+        finish_patch(side)
+        index = begin_patch(side, region, start, strip, RULE_QUADRATIC, contact_angle)
     return index
 
 
-def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip,
+def add_part(patch: Patch, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip,
              start: float, stop: float, step: float):
-    """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region; the
-    load [N] and the moment [N m].
+    """Add load and moment of the loaded part [start, stop] of a cell to its region, and its area to its
+    patch; the load [N] and the moment [N m].
 
     ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
     ``before`` the next one further in.
@@ -165,24 +154,21 @@ def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: Solv
     moment = low.station * load + width * step * moment
     region.carried += load
     region.moment += moment
-    totals.load += load
-    totals.moment += moment
-    totals.area += 2.0 * width * area
+    patch.totals.area += 2.0 * width * area
     return load, moment
 
 
-def keep_largest(solved: SolvedPatches, strip: int):
-    """Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest
+def keep_largest(patch: Patch, strips: SolvedStrips, strip: int):
+    """Let a patch have the squares of half-length and pressure at ``strip``, if they are its largest
     ones so far."""
-    low = solved.strips[strip - 1]
-    here = solved.strips[strip]
-    high = solved.strips[strip + 1]
-    if here.half_length_square > solved.half_length_square:
-        solved.half_length_square = peak_square(low.half_length_square, here.half_length_square,
+    low = strips[strip - 1]
+    here = strips[strip]
+    high = strips[strip + 1]
+    if here.half_length_square > patch.half_length_square:
+        patch.half_length_square = peak_square(low.half_length_square, here.half_length_square,
                                                 high.half_length_square)
-    if here.pressure_square > solved.pressure_square:
-        solved.pressure_square = peak_square(low.pressure_square, here.pressure_square, high.pressure_square)
-    return 0
+    if here.pressure_square > patch.pressure_square:
+        patch.pressure_square = peak_square(low.pressure_square, here.pressure_square, high.pressure_square)
 
 
 def peak_square(before: float, square: float, after: float):

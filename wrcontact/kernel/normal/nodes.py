@@ -11,22 +11,8 @@ from ..contact.contact_plane import NO_GAP
 from ..contact.curves import open_origin
 from ..contact.separation import separation
 from ..contact.traces import start_traces
-from ..layout import (
-    LATERAL_ADAPTIVE,
-    NODE_LIMIT,
-    NODE_MIDDLE,
-    RAIL,
-    SEPARATION_EQUIDISTANT_CHORD,
-    SEPARATION_VERTICAL,
-    WHEEL,
-    Contact,
-    Frame,
-    NodeRun,
-    Nodes,
-    Region,
-    State,
-    Tables,
-)
+from ..layout import (LATERAL_ADAPTIVE, NODE_LIMIT, NODE_MIDDLE, RAIL, SEPARATION_EQUIDISTANT_CHORD,
+                      SEPARATION_VERTICAL, WHEEL, Contact, Frame, NodeRun, Nodes, Region, State, Tables)
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.profile_table import height_slope
 
@@ -92,7 +78,6 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     region.first = -before
     after = lay_side_nodes(tables, contact, state, region, nodes, 1, high_reach, rate)
     region.last = after
-    return 0
 
 
 def turn_cosine(tables: Tables, frame: Frame):
@@ -112,7 +97,6 @@ def bring_nearer(region: Region, nodes: Nodes):
         level = region.local_penetration - nodes.gap[k]
         if level > 0.0 and nodes.turn[k] > LEAST_TURN:
             nodes.gap[k] -= level * (1.0 / nodes.turn[k] - 1.0)
-    return 0
 
 
 def trace_node(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, at: int):
@@ -147,9 +131,9 @@ def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Regio
     step = stride
     left = window
     passed = 0
-    ended = 0
+    ended = False
     while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
-        if k == traced and ended == 0:
+        if k == traced and not ended:
             gap, next_rate = trace_node(tables, contact, state, region, nodes, direction * (traced + step))
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
@@ -158,7 +142,7 @@ def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Regio
                 gap, next_rate = trace_node(tables, contact, state, region, nodes,
                                             direction * (traced + step))
             if gap >= NO_GAP:
-                ended = 1
+                ended = True
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
                 start = direction * traced
@@ -168,13 +152,13 @@ def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Regio
         k += 1
         at = direction * k
         station = region.station + region.spacing * float(at)
-        if ended == 1:
+        if ended:
             extrapolate_node(nodes, at, direction)
             if tables.lateral != LATERAL_ADAPTIVE:
                 nodes.B[at] = nodes.B[at - direction]
         if passed > 0:
             left -= 1
-        elif ended == 1 or nodes.gap[at] > reach:
+        elif ended or nodes.gap[at] > reach:
             passed = k
         elif station > region.high or station < region.low:
             passed = k
@@ -191,7 +175,6 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
     rise = (values[stop] - values[start]) / float(count)
     for i in range(1, count):
         values[start + inward * i] = values[start] + rise * float(i)
-    return 0
 
 
 def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float,
@@ -219,7 +202,6 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
-    return 0
 
 
 def end_region(region: Region, direction: int, station: float):
@@ -230,7 +212,6 @@ def end_region(region: Region, direction: int, station: float):
             region.high = station
     elif station - region.spacing > region.low:
         region.low = station
-    return 0
 
 
 def extrapolate_node(nodes: Nodes, at: int, direction: int):
@@ -244,4 +225,3 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
         nodes.gap[at] = nodes.gap[one]
     nodes.A[at] = nodes.A[one]
     nodes.turn[at] = nodes.turn[one]
-    return 0

@@ -20,46 +20,44 @@ SINKINGS: Final[int] = 4
 
 def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                   prescribed: float):
-    """Fill the solved patches by strips if they are wanted; penetration [m], number of regions, and 1 when
-    the force is satisfied, else 0.
+    """Fill the patches of a side by strips if they are wanted; penetration [m], number of regions, and
+    whether the force is satisfied.
 
     A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
     have found there.
     """
-    by_penetration = 0
-    if isfinite(prescribed):
-        by_penetration = 1
+    by_penetration = isfinite(prescribed)
     problem = contact.strip_problem
     if contact.frame.pressed:
         # where it is, it has its penetration
         count = open_zones(tables, contact, state)
-        penetration, satisfied = first_layout(tables, contact, state, count, force, 1)
+        penetration, satisfied = first_layout(tables, contact, state, count, force, True)
     else:
         estimate = prescribed
-        if by_penetration == 0:
+        if not by_penetration:
             estimate = first_penetration(tables, contact, state, force)
         penetration = estimate
         count = 0
-        satisfied = 0
+        satisfied = False
         for repeat in range(SINKINGS):
             estimate = penetration
             if sink_wheel(tables, contact.frame, contact.overlap, side, state, estimate) == 0:
                 # it overlaps most at the end of a profile
-                return estimate, 0, 0
+                return estimate, 0, False
             count = open_zones(tables, contact, state)
             penetration, satisfied = first_layout(tables, contact, state, count, force, by_penetration)
-            if satisfied == 0 or penetration < DEEPER * estimate:
+            if not satisfied or penetration < DEEPER * estimate:
                 break
-        if satisfied == 1 and by_penetration == 0:
+        if satisfied and not by_penetration:
             sink_deeper(contact.frame, contact.frames, contact.regions, count, penetration)
             problem.penetration = penetration
-    if satisfied == 1:
+    if satisfied:
         penetration, satisfied = second_layout(tables, contact, state, count, force, by_penetration)
-    if satisfied == 1:
+    if satisfied:
         add_stiffness(tables, contact.regions, problem, contact.equations, count)
-    if satisfied == 1 and contact.filling:
+    if satisfied and contact.filling:
         locate_along_track(tables, contact.frame, contact.regions, count)
-        fill_from_strips(tables, contact, count)
+        fill_from_strips(tables, contact, side, count)
     return penetration, count, satisfied
 
 
@@ -67,8 +65,8 @@ def coarse_contact(tables: Tables, contact: Contact, state: State, force: float)
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first layout alone
     and without patches: about a per cent off."""
     count = open_zones(tables, contact, state)
-    penetration, satisfied = first_layout(tables, contact, state, count, force, 0)
-    if satisfied == 1:
+    penetration, satisfied = first_layout(tables, contact, state, count, force, False)
+    if satisfied:
         add_stiffness(tables, contact.regions, contact.strip_problem, contact.equations, count)
     return penetration, count, satisfied
 

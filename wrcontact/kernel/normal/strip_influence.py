@@ -2,15 +2,8 @@
 
 from math import fabs, sqrt
 
-from ..layout import (
-    INFLUENCE_CELLS,
-    INFLUENCE_COLUMN,
-    INFLUENCE_COLUMNS,
-    INFLUENCE_MAP,
-    InfluenceTable,
-    Strip,
-    StripProblem,
-)
+from ..layout import (INFLUENCE_CELLS, INFLUENCE_COLUMN, INFLUENCE_COLUMNS, INFLUENCE_MAP, InfluenceTable,
+                      Strip, StripProblem)
 
 
 def nearness(distance: float, half_length: float):
@@ -76,20 +69,18 @@ def begin_influences(problem: StripProblem):
     """No influence is known yet of strips that lie as they do now."""
     for j in range(problem.count):
         problem.strips[j].known = False
-    return 0
 
 
-def know_influences(table: InfluenceTable, problem: StripProblem, yawed: int):
+def know_influences(table: InfluenceTable, problem: StripProblem, yawed: bool):
     """Find the influences of all loaded strips of which they are not known yet."""
     for j in range(problem.count):
         strip = problem.strips[j]
         if strip.loaded and not strip.known:
             fill_column(table, problem, j, yawed)
             strip.known = True
-    return 0
 
 
-def fill_column(table: InfluenceTable, problem: StripProblem, j: int, yawed: int):
+def fill_column(table: InfluenceTable, problem: StripProblem, j: int, yawed: bool):
     """F_ij of strip j for all i: displacement of the middle of i for y_j = 1, along the normal of i; eqs.
     (S2), (S4)."""
     strips = problem.strips
@@ -101,7 +92,7 @@ def fill_column(table: InfluenceTable, problem: StripProblem, j: int, yawed: int
         if i != j:
             u = nearness(fabs(strip.place - other.place), half)
             problem.near[i][j] = u
-            if yawed == 1:
+            if yawed:
                 influence = influence_at(table, 0, u, apartness(strip.x + strip.lead - x, half))
             else:
                 # all middles lie on one line
@@ -115,7 +106,6 @@ def fill_column(table: InfluenceTable, problem: StripProblem, j: int, yawed: int
             problem.influences[i][j] = influence * (strip.cos * other.cos + strip.sin * other.sin)
     problem.near[j][j] = nearness(0.5 * other.breadth, half)
     problem.influences[j][j] = middle_influence(table, INFLUENCE_MAP, problem.near[j][j])
-    return 0
 
 
 def far_displacement(table: InfluenceTable, problem: StripProblem, i: int, x: float, first: int, last: int):

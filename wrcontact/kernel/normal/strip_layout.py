@@ -43,19 +43,17 @@ def zone_cells(problem: StripProblem, count: int):
             cell.weight = (1.0 - DEEP) * (zone.stop - zone.start) / width + DEEP * zone.level / depth
             cells += 1
     problem.cell_count = cells
-    return 0
 
 
 def touch(strips: Strips, count: int):
     """Note which strips touch the next one."""
     for i in range(count):
-        joined = 0
+        joined = False
         if i < count - 1:
             reach = 0.5 * (strips[i].width + strips[i + 1].width)
             if strips[i + 1].station - strips[i].station < reach + TOUCHING:
-                joined = 1
+                joined = True
         strips[i].joined = joined
-    return 0
 
 
 def strip_cells(problem: StripProblem):
@@ -85,7 +83,6 @@ def strip_cells(problem: StripProblem):
             weight += (1.0 - EVEN) * 0.5 * pressure_changes(strips, count, i) / change
         cell.weight = weight
     problem.cell_count = count
-    return 0
 
 
 def loaded_share(strips: Strips, count: int, i: int, largest: float):
@@ -143,26 +140,22 @@ def divide_cells(problem: StripProblem, regions: Regions, region_count: int, wan
     problem.count = made
     touch(problem.strips, made)
     place_in_regions(problem.strips, made, regions, region_count)
-    return 0
 
 
 def run_of_cells(problem: StripProblem, first: int):
     """The last cell of the run of cells that touch and begins with ``first``, and the weight of the run."""
     last = first
     weight = problem.cells[first].weight
-    while last < problem.cell_count - 1 and weight > 0.0 and continued(problem, last) == 1:
+    while last < problem.cell_count - 1 and weight > 0.0 and continued(problem, last):
         last += 1
         weight += problem.cells[last].weight
     return last, weight
 
 
-def continued(problem: StripProblem, index: int):
-    """1 where the cell after ``index`` touches it and has a weight, else 0."""
+def continued(problem: StripProblem, index: int) -> bool:
+    """Whether the cell after ``index`` touches it and has a weight."""
     following = problem.cells[index + 1]
-    answer = 0
-    if following.weight > 0.0 and following.start - problem.cells[index].stop < TOUCHING:
-        answer = 1
-    return answer
+    return following.weight > 0.0 and following.start - problem.cells[index].stop < TOUCHING
 
 
 def cut_run(problem: StripProblem, first: int, made: int, number: int, weight: float):
@@ -185,12 +178,11 @@ def cut_run(problem: StripProblem, first: int, made: int, number: int, weight: f
         strip.station = 0.5 * (edge + stop)
         strip.width = stop - edge
         edge = stop
-    return 0
 
 
 def run_stop(problem: StripProblem, index: int):
     """Station [m] of the end of the run of cells that ``index`` is in."""
-    while index < problem.cell_count - 1 and continued(problem, index) == 1:
+    while index < problem.cell_count - 1 and continued(problem, index):
         index += 1
     return problem.cells[index].stop
 
@@ -202,7 +194,6 @@ def place_in_regions(strips: Strips, count: int, regions: Regions, region_count:
         while index < region_count - 1 and strips[i].station > regions[index].offset + regions[index].high:
             index += 1
         strips[i].region = index
-    return 0
 
 
 def length_before(problem: StripProblem):
@@ -233,7 +224,6 @@ def length_before(problem: StripProblem):
         strip.loaded = cells[index].loaded
         if share > 0.5:
             strip.loaded = cells[after].loaded
-    return 0
 
 
 def cell_middle(cell: StripCell):

@@ -37,7 +37,7 @@ def corrected(ratio: float, power: float):
 
 
 def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetration: float, power: float,
-                  yawed: int):
+                  yawed: bool):
     """Half-length [m] of the loaded strip ``i`` by how much less the surfaces are displaced towards its ends
     than the gap rises; its middle moves to where both ends are alike."""
     strip = problem.strips[i]
@@ -49,7 +49,7 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
     back = front
     front_gap = gap_beside(strip, strip.lead + away) - own
     back_gap = front_gap
-    if yawed == 1:
+    if yawed:
         back = end_displacement(table, problem, i, -away)
         back_gap = gap_beside(strip, strip.lead - away) - own
         move = -MOVED * (front + front_gap - back - back_gap) / (4.0 * strip.A * away)
@@ -67,7 +67,7 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
     return half * corrected(ratio, power)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: int):
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: bool):
     """Line load, square of the corrected half-length, pressure and lead of every strip.
 
     The line load stays, and the pressure follows from the corrected half-length.
@@ -101,7 +101,6 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
         if strip.y > 0.0:
             strip.pressure = 2.0 / pi * strip.line_load * strip.width / (strip.breadth
                                                                          * sqrt(strip.half_length_square))
-    return 0
 
 
 def neighbouring_length(strips: Strips, count: int, i: int):
@@ -131,7 +130,6 @@ def adopt_lengths(problem: StripProblem):
         strip.half_length = sqrt(strip.half_length_square)
         strip.lead = strip.next_lead
     limit_lengths(strips, problem.count)
-    return 0
 
 
 def limit_lengths(strips: Strips, count: int):
@@ -146,4 +144,3 @@ def limit_lengths(strips: Strips, count: int):
             strip.half_length = SHORTEST * longest
         if strip.half_length < SQUARE * strip.width:
             strip.half_length = SQUARE * strip.width
-    return 0

@@ -1,26 +1,11 @@
-"""From corrected strips to solved patches: each run of loaded strips that touch each other is a patch."""
+"""From corrected strips to patches: each run of loaded strips that touch each other is a patch."""
 
 from math import atan, pi, sqrt
 from typing import Final
 
-from ..layout import (
-    LOAD_VERTICAL,
-    RULE_STRAIGHT,
-    SOLVED_PATCH_LIMIT,
-    Contact,
-    Equations,
-    Frame,
-    Region,
-    Regions,
-    SolvedPatch,
-    SolvedPatches,
-    SolvedStrip,
-    Strip,
-    StripProblem,
-    Strips,
-    Tables,
-)
-from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
+from ..layout import (LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Contact, Equations, Frame, Region,
+                      Regions, SideSearch, SolvedStrip, Strip, StripProblem, Strips, Tables)
+from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import root_integral
 from ..surface.rails import upright_share
 from .strip_edges import run_edge, run_end
@@ -29,48 +14,46 @@ from .strip_edges import run_edge, run_end
 CLOSE: Final[float] = 1e-6
 
 
-def fill_from_strips(tables: Tables, contact: Contact, count: int):
-    """Fill the solved patches from the runs of loaded strips, which lie in ``count`` regions."""
+def fill_from_strips(tables: Tables, contact: Contact, side: SideSearch, count: int):
+    """Fill the patches of a side from the runs of loaded strips, which lie in ``count`` regions."""
     problem = contact.strip_problem
     strips = problem.strips
     for index in range(count):
         load_region(tables, contact.frame, contact.regions[index], problem, index)
-    solved = contact.solved
-    clear_patches(solved)
+    clear_patches(side)
     first = 0
-    while first < problem.count and solved.count < SOLVED_PATCH_LIMIT:
+    while first < problem.count and side.patch_count < SOLVED_PATCH_LIMIT:
         last = first
         if strips[first].line_load > 0.0:
             last = run_end(strips, problem.count, first)
-            fill_run(contact.regions, solved, problem, first, last)
+            fill_run(contact, side, first, last)
         first = last + 1
-    finish_patches(solved)
-    return 0
+    finish_patches(side)
 
 
-def fill_run(regions: Regions, solved: SolvedPatches, problem: StripProblem, first: int, last: int):
+def fill_run(contact: Contact, side: SideSearch, first: int, last: int):
     """Fill the next patch from the loaded strips ``first`` ... ``last``."""
+    problem = contact.strip_problem
     strips = problem.strips
     if last > first:
         end_like_ellipse(strips[first], strips[first + 1])
         end_like_ellipse(strips[last], strips[last - 1])
     start = run_edge(strips, problem.count, first, last, -1)
     stop = run_edge(strips, problem.count, last, first, 1)
-    region = regions[strips[first].region]
-    index = begin_patch(solved, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
-    patch = solved.patches[index]
+    region = contact.regions[strips[first].region]
+    index = begin_patch(side, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
+    patch = side.patches[index]
     for i in range(first, last + 1):
-        add_strip(patch, strips[i], solved.strips[i])
+        keep_strip(strips[i], contact.strips[i])
         load = strips[i].line_load * strips[i].width
-        add_part(solved, index, strips[i].region, load, load * strips[i].station)
+        add_load(patch, strips[i].region, load, load * strips[i].station)
     patch.totals.stop = stop
     patch.last = last
     patch.totals.area = run_area(strips, first, last, start, stop)
     pressure = largest_pressure(strips, first, last)
-    solved.pressure_square = pressure * pressure
-    solved.half_length_square = largest_square(strips, first, last)
-    finish_patch(solved)
-    return 0
+    patch.pressure_square = pressure * pressure
+    patch.half_length_square = largest_square(strips, first, last)
+    finish_patch(side)
 
 
 def end_like_ellipse(edge: Strip, inner: Strip):
@@ -84,14 +67,10 @@ def end_like_ellipse(edge: Strip, inner: Strip):
     if square < edge.half_length_square:
         edge.pressure *= sqrt(edge.half_length_square / square)
         edge.half_length_square = square
-    return 0
 
 
-def add_strip(patch: SolvedPatch, strip: Strip, to: SolvedStrip):
-    """Add a strip to a patch, as the solved strip ``to``."""
-    load = strip.line_load * strip.width
-    patch.totals.load += load
-    patch.totals.moment += load * strip.station
+def keep_strip(strip: Strip, to: SolvedStrip):
+    """Keep a strip as the solved strip ``to``."""
     to.station = strip.station
     to.width = strip.width
     to.x = strip.x + strip.next_lead
@@ -99,7 +78,6 @@ def add_strip(patch: SolvedPatch, strip: Strip, to: SolvedStrip):
     to.line_load = strip.line_load
     to.half_length_square = strip.half_length_square
     to.pressure_square = strip.pressure * strip.pressure
-    return 0
 
 
 def load_region(tables: Tables, frame: Frame, region: Region, problem: StripProblem, index: int):
@@ -129,7 +107,6 @@ def load_region(tables: Tables, frame: Frame, region: Region, problem: StripProb
         if tables.load == LOAD_VERTICAL:
             region.share = upright_share(frame.place, region.cos, region.sin)
         slant_region(region, problem, index, moment / load, x / load)
-    return 0
 
 
 def slant_region(region: Region, problem: StripProblem, index: int, station: float, x: float):
@@ -147,7 +124,6 @@ def slant_region(region: Region, problem: StripProblem, index: int, station: flo
             spread += own * away * away
     if spread > CLOSE * CLOSE * region.carried:
         region.slant = along / spread
-    return 0
 
 
 def add_stiffness(tables: Tables, regions: Regions, problem: StripProblem, equations: Equations, count: int):
@@ -165,7 +141,6 @@ def add_stiffness(tables: Tables, regions: Regions, problem: StripProblem, equat
         strip = problem.strips[int(problem.loaded[rank])]
         region = regions[strip.region]
         region.stiffness += scale * strip.half_length * row[size]
-    return 0
 
 
 def divided_bend(strips: Strips, i: int, before: float, value: float, after: float):

@@ -21,9 +21,9 @@ TOUCH: Final[float] = 1e-12
 
 
 def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, state: State, force: float,
-                    by_penetration: int, yawed: int):
+                    by_penetration: bool, yawed: bool):
     """y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
-    ``by_penetration``; the penetration [m], and 1 if found, else 0."""
+    ``by_penetration``; the penetration [m], and whether found."""
     penetration = problem.penetration
     for exchange in range(EXCHANGE_LIMIT):
         state.strip_count += 1.0
@@ -31,15 +31,13 @@ def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables,
         size = list_loaded(problem)
         write_equations(problem, equations, size)
         eliminate(equations, size)
-        if by_penetration == 0:
+        if not by_penetration:
             penetration = equilibrium_penetration(problem, equations, tables, size, force)
         read_solution(problem, equations, size, penetration)
-        single = 0
-        if exchange >= EXCHANGES:
-            single = 1
+        single = exchange >= EXCHANGES
         if exchange_strips(problem, penetration, single) == 0:
-            return penetration, 1
-    return penetration, 0
+            return penetration, True
+    return penetration, False
 
 
 def list_loaded(problem: StripProblem):
@@ -63,7 +61,6 @@ def write_equations(problem: StripProblem, equations: Equations, size: int):
             row[other] = influences[int(problem.loaded[other])]
         row[size] = problem.strips[i].share
         row[size + 1] = problem.strips[i].gap
-    return 0
 
 
 def equilibrium_penetration(problem: StripProblem, equations: Equations, tables: Tables, size: int,
@@ -88,10 +85,9 @@ def read_solution(problem: StripProblem, equations: Equations, size: int, penetr
     for rank in range(size):
         row = equations[rank]
         problem.strips[int(problem.loaded[rank])].y = penetration * row[size] - row[size + 1]
-    return 0
 
 
-def exchange_strips(problem: StripProblem, penetration: float, single: int):
+def exchange_strips(problem: StripProblem, penetration: float, single: bool):
     """Unload strips that pull and load strips that penetrate, where ``single`` only the last one of all; how
     many."""
     strips = problem.strips
@@ -100,7 +96,7 @@ def exchange_strips(problem: StripProblem, penetration: float, single: int):
     for back in range(count):
         i = count - 1 - back
         strip = strips[i]
-        if single == 0 or changed == 0:
+        if not single or changed == 0:
             if strip.loaded:
                 if strip.y < 0.0:
                     strip.loaded = False

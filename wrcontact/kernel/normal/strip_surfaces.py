@@ -9,21 +9,8 @@ from ..contact.planes import enter_plane, leave_plane
 from ..contact.separation import separation
 from ..contact.touching import limited
 from ..contact.traces import start_traces
-from ..layout import (
-    LOAD_VERTICAL,
-    LONGITUDINAL_BASIC,
-    RAIL,
-    WHEEL,
-    Contact,
-    Frame,
-    Place,
-    Region,
-    State,
-    Strip,
-    StripProblem,
-    Strips,
-    Tables,
-)
+from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, State,
+                      Strip, StripProblem, Strips, Tables)
 from ..surface.locus import outline_x
 from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope, height_slope_bend
@@ -53,17 +40,16 @@ def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
     for index in range(count):
         region = contact.regions[index]
         enter_plane(contact.frame, contact.frames, region, index)
-        started = 0
+        started = False
         for i in range(problem.count):
             strip = strips[i]
             if strip.region == index:
-                if started == 0:
+                if not started:
                     start_traces(contact.frame, region.station, region.rail, region.wheel)
                     open_origin(tables, contact.frame, contact.origin, region, 0.0)
-                    started = 1
+                    started = True
                 trace_strip(tables, contact, state, region, strip)
         leave_plane(contact.frame, contact.frames, region)
-    return 0
 
 
 def trace_strip(tables: Tables, contact: Contact, state: State, region: Region, strip: Strip):
@@ -83,9 +69,8 @@ def trace_strip(tables: Tables, contact: Contact, state: State, region: Region, 
     strip.A = 0.5 * curvature
     strip.skew = 0.0
     strip.wheel = frame.traces[WHEEL].abscissa
-    if is_yawed(frame) == 1:
+    if is_yawed(frame):
         strip.x = outline_x(tables, frame.place, strip.wheel)
-    return 0
 
 
 def place_on_middle(strips: Strips, count: int):
@@ -114,7 +99,6 @@ def place_on_middle(strips: Strips, count: int):
         if i > 0:
             way = strip.station - strips[i - 1].station
             strip.place = strips[i - 1].place + 0.5 * (last + stretch) * way
-    return 0
 
 
 def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
@@ -131,7 +115,6 @@ def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
         strip.counted = 1.0
         if tables.load == LOAD_VERTICAL:
             strip.counted = upright_share(frame.place, cosine, strip.sin)
-    return 0
 
 
 def profile_within(tables: Tables, y: float):
@@ -163,7 +146,6 @@ def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
         strip.A = 0.5 * longitudinal_curvature(tables, place, z, slope, mean)
         odd = 0.5 * (after - before) - slope * across
         strip.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)
-    return 0
 
 
 def first_lengths(tables: Tables, contact: Contact, count: int):
@@ -184,7 +166,7 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
         lean = 0.0
         low_beta = table_value(tables.hertz, 0, log(A / low))
         high_beta = table_value(tables.hertz, 0, log(A / high))
-        if is_yawed(frame) == 1:
+        if is_yawed(frame):
             slant = ridge_slant(problem, index)
             alpha, beta, nr = skewed_coefficients(tables.hertz, A, B, slant)
             lean = middle_slant(tables.hertz, A, B, slant) - slant
@@ -194,7 +176,7 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
         for i in range(problem.count):
             strip = problem.strips[i]
             if strip.region == index:
-                if is_yawed(frame) == 1:
+                if is_yawed(frame):
                     overlap = strip.overlap
                     if overlap < LEAST_OVERLAP * depth:
                         overlap = LEAST_OVERLAP * depth
@@ -206,7 +188,6 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
                 farthest = FIRST_LEAD * strip.half_length
                 strip.lead = limited(lean * (strip.station - middle), farthest)
     limit_lengths(problem.strips, problem.count)
-    return 0
 
 
 def ridge_slant(problem: StripProblem, index: int):
@@ -248,7 +229,6 @@ def first_length(strip: Strip, depth: float, one_alpha: float, one_beta: float):
     if level < least:
         level = least
     strip.half_length = sqrt(level / (one_alpha * strip.A))
-    return 0
 
 
 def lengths_before(tables: Tables, frame: Frame, problem: StripProblem):
@@ -257,10 +237,9 @@ def lengths_before(tables: Tables, frame: Frame, problem: StripProblem):
     length_before(problem)
     for i in range(problem.count):
         strip = strips[i]
-        if is_yawed(frame) == 1:
+        if is_yawed(frame):
             measure_ridge(tables, frame.place, strip, TESTED * strip.half_length)
     limit_lengths(strips, problem.count)
-    return 0
 
 
 def set_gaps(problem: StripProblem):
@@ -268,4 +247,3 @@ def set_gaps(problem: StripProblem):
     for i in range(problem.count):
         strip = problem.strips[i]
         strip.gap = strip.share * problem.penetration - strip.overlap + gap_beside(strip, strip.lead)
-    return 0

@@ -20,7 +20,6 @@ def find_zones(tables: Tables, contact: Contact, state: State, count: int, deepe
         enter_plane(contact.frame, contact.frames, region, index)
         measure_zone(tables, contact, state, region, contact.strip_problem.zones[index], deepest)
         leave_plane(contact.frame, contact.frames, region)
-    return 0
 
 
 def measure_zone(tables: Tables, contact: Contact, state: State, region: Region, zone: StripZone,
@@ -45,4 +44,3 @@ def measure_zone(tables: Tables, contact: Contact, state: State, region: Region,
         low = zone_width(tables, contact.frame, contact.origin, region, state, -1.0, level, high)
         zone.stop = zone.start + high
         zone.start -= low
-    return 0

@@ -22,14 +22,8 @@ from .strip_influence import begin_influences
 from .strip_layout import FIRST_SHARE, divide_cells, strip_cells, zone_cells
 from .strip_lengths import FIRST_POWER, POWER, adopt_lengths, correct_lengths
 from .strip_pressures import solve_pressures
-from .strip_surfaces import (
-    first_lengths,
-    incline_strips,
-    lengths_before,
-    place_on_middle,
-    set_gaps,
-    trace_strips,
-)
+from .strip_surfaces import (first_lengths, incline_strips, lengths_before, place_on_middle, set_gaps,
+                             trace_strips)
 
 #: Sweeps of the first layout.
 FIRST_SWEEPS: Final[int] = 1
@@ -42,22 +36,21 @@ def lay_strips(tables: Tables, contact: Contact, state: State, count: int, wante
     trace_strips(tables, contact, state, count)
     place_on_middle(problem.strips, problem.count)
     incline_strips(tables, contact.frame, problem)
-    return 0
 
 
 def first_layout(tables: Tables, contact: Contact, state: State, count: int, force: float,
-                 by_penetration: int):
+                 by_penetration: bool):
     """Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
-    penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and 1 if found, else 0."""
+    penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found."""
     problem = contact.strip_problem
     zone_cells(problem, count)
     lay_strips(tables, contact, state, count, int(FIRST_SHARE * float(tables.strips) + 0.5))
     first_lengths(tables, contact, count)
     penetration = problem.penetration
-    found = 0
+    found = False
     for sweep in range(FIRST_SWEEPS):
         penetration, found = solve_strips(tables, contact, state, force, by_penetration)
-        if found == 0:
+        if not found:
             return penetration, found
         correct_lengths(tables, problem, penetration, FIRST_POWER, is_yawed(contact.frame))
         adopt_lengths(problem)
@@ -66,7 +59,7 @@ def first_layout(tables: Tables, contact: Contact, state: State, count: int, for
 
 
 def second_layout(tables: Tables, contact: Contact, state: State, count: int, force: float,
-                  by_penetration: int):
+                  by_penetration: bool):
     """Strips that are laid by the pressures of the first layout, solved; results as there.
 
     Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
@@ -77,26 +70,24 @@ def second_layout(tables: Tables, contact: Contact, state: State, count: int, fo
     lay_strips(tables, contact, state, count, tables.strips)
     lengths_before(tables, contact.frame, problem)
     penetration = problem.penetration
-    found = 0
+    found = False
     for sweep in range(tables.sweeps):
-        last = 0
-        if sweep == tables.sweeps - 1:
-            last = 1
-        given = 1
-        if last == 1 or contact.frame.sunk:
+        last = sweep == tables.sweeps - 1
+        given = True
+        if last or contact.frame.sunk:
             given = by_penetration
         penetration, found = solve_strips(tables, contact, state, force, given)
-        if found == 0:
+        if not found:
             return penetration, found
-        if last == 0 or contact.filling:
+        if not last or contact.filling:
             correct_lengths(tables, problem, penetration, POWER, is_yawed(contact.frame))
-        if last == 0:
+        if not last:
             adopt_lengths(problem)
     return penetration, found
 
 
-def solve_strips(tables: Tables, contact: Contact, state: State, force: float, by_penetration: int):
-    """Pressures of the strips as they lie; penetration [m], and 1 if found, else 0."""
+def solve_strips(tables: Tables, contact: Contact, state: State, force: float, by_penetration: bool):
+    """Pressures of the strips as they lie; penetration [m], and whether found."""
     problem = contact.strip_problem
     set_gaps(problem)
     begin_influences(problem)

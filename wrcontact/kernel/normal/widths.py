@@ -35,12 +35,12 @@ def measure_widths(tables: Tables, contact: Contact, state: State, region: Regio
     slant = 0.0
     start = contact.frame.station
     yawed = is_yawed(contact.frame)
-    if yawed == 1:
+    if yawed:
         slant = outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
     if not region.width_penetration > 0.0:
         low = high
     low = zone_width(tables, contact.frame, contact.origin, region, state, -1.0, local_penetration, low)
-    if yawed == 1:
+    if yawed:
         slant -= outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
         if start > contact.frame.station:
             region.slant = slant / (start - contact.frame.station)
@@ -50,7 +50,6 @@ def measure_widths(tables: Tables, contact: Contact, state: State, region: Regio
     region.width_low = low
     region.width_penetration = local_penetration
     region.middle = region.station + 0.5 * (high - low)
-    return 0
 
 
 def side_curvature(reached: float, own: float, mean: float):

@@ -1,17 +1,9 @@
-"""How a model of normal contact fills the solved patches: one after the other by rising station, then totals
-and ranks."""
+"""How a model of normal contact fills the patches of a wheel: one after the other by rising station, then
+totals and ranks."""
 
 from math import sqrt
 
-from ..layout import (
-    SOLVED_PART_LIMIT,
-    SOLVED_PATCH_LIMIT,
-    SOLVED_PATCH_SIZE,
-    PatchTotals,
-    Region,
-    SolvedPatch,
-    SolvedPatches,
-)
+from ..layout import PATCH_SIZE, REGION_LIMIT, SOLVED_PATCH_LIMIT, Patch, PatchTotals, Region, SideSearch
 
 
 def clear_totals(totals: PatchTotals, start: float):
@@ -25,42 +17,39 @@ def clear_totals(totals: PatchTotals, start: float):
     totals.start = start
     totals.stop = start
     totals.width = 0.0
-    return 0
 
 
-def clear_patches(solved: SolvedPatches):
+def clear_patches(side: SideSearch):
     """No patches."""
-    solved.count = 0
-    solved.part_count = 0
-    clear_totals(solved.totals, 0.0)
-    return 0
+    side.patch_count = 0
+    clear_totals(side.totals, 0.0)
 
 
-def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int, rule: int,
-                contact_angle: float):
+def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule: int, contact_angle: float):
     """Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its
     index.
 
     Where there is no room for another patch, the last one goes on.
     """
-    index = solved.count
+    index = side.patch_count
     if index == SOLVED_PATCH_LIMIT:
         return index - 1
-    solved.count = index + 1
-    solved.pressure_square = 0.0
-    solved.half_length_square = 0.0
-    patch = solved.patches[index]
+    side.patch_count = index + 1
+    patch = side.patches[index]
     clear_totals(patch.totals, start)
     place_patch(patch, region, first, rule, contact_angle)
     return index
 
 
-def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, contact_angle: float):
-    """Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first``
-    yet."""
+def place_patch(patch: Patch, region: Region, first: int, rule: int, contact_angle: float):
+    """Give a patch the point of its region; it has no load, no rank, no strips behind ``first``
+    and no motion yet."""
+    patch.pressure_square = 0.0
+    patch.half_length_square = 0.0
+    for i in range(REGION_LIMIT):
+        patch.loads[i] = 0.0
+        patch.moments[i] = 0.0
     patch.contact_angle = contact_angle
-    patch.cos = region.cos
-    patch.sin = region.sin
     patch.rail = region.rail
     patch.wheel = region.wheel
     patch.station = region.offset + region.station
@@ -70,62 +59,33 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     patch.first = first
     patch.last = first - 1
     patch.rank = 0
-    return 0
+    patch.creepage_x = 0.0
+    patch.creepage_y = 0.0
+    patch.spin = 0.0
+    patch.speed = 0.0
+    patch.creep_x = 0.0
+    patch.creep_y = 0.0
+    patch.creep_moment = 0.0
+    patch.stick_share = 0.0
+    patch.max_shear = 0.0
+    patch.saturation = 0.0
 
 
-def add_part(solved: SolvedPatches, patch: int, region: int, load: float, moment: float):
-    """Add load [N] and moment [N m] in a region to the part of a patch that lies there: the
-    last part, or a new one."""
-    index = solved.part_count - 1
-    known = 0
-    if index >= 0:
-        last = solved.parts[index]
-        if last.patch == patch and last.region == region:
-            known = 1
-    if known == 0 and index < SOLVED_PART_LIMIT - 1:
-        index += 1
-        solved.part_count = index + 1
-        part = solved.parts[index]
-        part.patch = patch
-        part.region = region
-        part.load = 0.0
-        part.moment = 0.0
-    part = solved.parts[index]
-    part.load += load
-    part.moment += moment
-    return 0
+def add_load(patch: Patch, region: int, load: float, moment: float):
+    """Add load [N] and moment [N m] in a region to a patch."""
+    patch.totals.load += load
+    patch.totals.moment += moment
+    patch.loads[region] += load
+    patch.moments[region] += moment
 
 
-def fill_single(solved: SolvedPatches):
-    """Let the first patch, whose totals are known, be the only one."""
-    solved.count = 1
-    solved.part_count = 0
-    patch = solved.patches[0]
-    patch.rank = 1
-    one = patch.totals
-    add_part(solved, 0, 0, one.load, one.moment)
-    totals = solved.totals
-    totals.load = one.load
-    totals.area = one.area
-    totals.moment = one.moment
-    totals.centroid = one.centroid
-    totals.max_pressure = one.max_pressure
-    totals.max_half_length = one.max_half_length
-    totals.start = one.start
-    totals.stop = one.stop
-    totals.width = one.width
-    return 0
-
-
-def finish_patch(solved: SolvedPatches):
+def finish_patch(side: SideSearch):
     """Give the last patch, if there is one, what follows from its load, its edges and its largest squares."""
-    if solved.count > 0:
-        patch = solved.patches[solved.count - 1]
-        totals = patch.totals
-        totals.max_pressure = sqrt(solved.pressure_square)
-        totals.max_half_length = sqrt(solved.half_length_square)
-        complete_totals(totals)
-    return 0
+    if side.patch_count > 0:
+        patch = side.patches[side.patch_count - 1]
+        patch.totals.max_pressure = sqrt(patch.pressure_square)
+        patch.totals.max_half_length = sqrt(patch.half_length_square)
+        complete_totals(patch.totals)
 
 
 def complete_totals(totals: PatchTotals):
@@ -133,74 +93,62 @@ def complete_totals(totals: PatchTotals):
     totals.width = totals.stop - totals.start
     if totals.load > 0.0:
         totals.centroid = totals.moment / totals.load
-    return 0
 
 
-def remove_unloaded(solved: SolvedPatches):
+def remove_unloaded(side: SideSearch):
     """Take away patches that carry nothing in sum: between jumps of the curvatures the quadratic of the line
     load can be negative all over a sliver.  What they carry counts for their neighbours, so that the patches
     carry together what the regions do."""
     index = 0
-    while solved.count > 1 and index < solved.count:
-        if solved.patches[index].totals.load > 0.0:
+    while side.patch_count > 1 and index < side.patch_count:
+        if side.patches[index].totals.load > 0.0:
             index += 1
         else:
-            remove_patch(solved, index)
+            remove_patch(side, index)
             index = 0
-    return 0
 
 
-def remove_patch(solved: SolvedPatches, index: int):
+def remove_patch(side: SideSearch, index: int):
     """Take a finished patch away; the one before, or else the one behind it gets its load and its area."""
-    heir = index - 1
-    if heir < 0:
-        heir = 1
-    from_totals = solved.patches[index].totals
-    totals = solved.patches[heir].totals
-    totals.load += from_totals.load
-    totals.moment += from_totals.moment
-    totals.area += from_totals.area
-    complete_totals(totals)
-    for number in range(solved.part_count):
-        part = solved.parts[number]
-        if part.patch == index:
-            hand_part(solved, number, heir)
-    for number in range(solved.part_count):
-        part = solved.parts[number]
-        if part.patch > index:
-            part.patch = part.patch - 1
-    solved.count = solved.count - 1
-    for following in range(index, solved.count):
-        patch = solved.patches[following]
-        behind = solved.patches[following + 1]
-        for i in range(SOLVED_PATCH_SIZE):
+    beside = index - 1
+    if beside < 0:
+        beside = 1
+    heir = side.patches[beside]
+    removed = side.patches[index]
+    heir.totals.load += removed.totals.load
+    heir.totals.moment += removed.totals.moment
+    heir.totals.area += removed.totals.area
+    complete_totals(heir.totals)
+    for region in range(REGION_LIMIT):
+        heir.loads[region] += removed.loads[region]
+        heir.moments[region] += removed.moments[region]
+    side.patch_count = side.patch_count - 1
+    for following in range(index, side.patch_count):
+        patch = side.patches[following]
+        behind = side.patches[following + 1]
+        for i in range(PATCH_SIZE):
             patch[i] = behind[i]
-    return 0
 
 
-def hand_part(solved: SolvedPatches, number: int, heir: int):
-    """Give the part ``number`` to the patch ``heir``: to its part in the same region if it has one."""
-    part = solved.parts[number]
-    part.patch = heir
-    for i in range(solved.part_count):
-        other = solved.parts[i]
-        if i != number and other.patch == heir and other.region == part.region:
-            other.load += part.load
-            other.moment += part.moment
-            part.load = 0.0
-            part.moment = 0.0
-            break
-    return 0
-
-
-def finish_patches(solved: SolvedPatches):
+def finish_patches(side: SideSearch):
     """The totals of all patches that carry load, and their ranks, when the last patch is finished."""
-    remove_unloaded(solved)
-    count = solved.count
-    totals = solved.totals
-    for index in range(count):
-        patch = solved.patches[index]
-        one = patch.totals
+    remove_unloaded(side)
+    total_patches(side)
+    for rank in range(1, side.patch_count + 1):
+        heaviest = heaviest_patch(side)
+        if heaviest >= 0:
+            ranked = side.patches[heaviest]
+            ranked.rank = rank
+
+
+def total_patches(side: SideSearch):
+    """The totals of all patches together."""
+    totals = side.totals
+    totals.load = 0.0
+    totals.area = 0.0
+    totals.moment = 0.0
+    for index in range(side.patch_count):
+        one = side.patches[index].totals
         totals.load += one.load
         totals.area += one.area
         totals.moment += one.moment
@@ -212,21 +160,15 @@ def finish_patches(solved: SolvedPatches):
             totals.start = one.start
         totals.stop = one.stop
     complete_totals(totals)
-    for rank in range(1, count + 1):
-        heaviest = heaviest_patch(solved)
-        if heaviest >= 0:
-            ranked = solved.patches[heaviest]
-            ranked.rank = rank
-    return 0
 
 
-def heaviest_patch(solved: SolvedPatches):
+def heaviest_patch(side: SideSearch):
     """Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is
     none."""
     heaviest = -1
     load = 0.0
-    for index in range(solved.count):
-        patch = solved.patches[index]
+    for index in range(side.patch_count):
+        patch = side.patches[index]
         if patch.rank == 0 and patch.totals.load > load:
             heaviest = index
             load = patch.totals.load

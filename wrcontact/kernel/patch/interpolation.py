@@ -1,12 +1,12 @@
-"""Half-length and pressure of a solved patch between its strips, by the rule of the model that filled it."""
+"""Half-length and pressure of a patch between its strips, by the rule of the model that filled it."""
 
 from math import sqrt
 
-from ..layout import Region, Regions, SolvedPatch, SolvedPatches, SolvedStrips
+from ..layout import Patch, Region, Regions, SolvedStrips
 from .quadrature import quadratic_value
 
 
-def quadratic_at(solved: SolvedPatches, regions: Regions, count: int, station: float):
+def quadratic_at(strips: SolvedStrips, regions: Regions, count: int, station: float):
     """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
     regions; zeros where nothing is loaded.
 
@@ -19,7 +19,7 @@ def quadratic_at(solved: SolvedPatches, regions: Regions, count: int, station: f
         region = regions[index]
         own = station - region.offset
         if own >= region.low and own <= region.high and half_length == 0.0:
-            half_length, pressure = between_strips(region, solved.strips, own)
+            half_length, pressure = between_strips(region, strips, own)
     return half_length, pressure
 
 
@@ -50,7 +50,7 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
     return half_length, pressure
 
 
-def straight_at(patch: SolvedPatch, strips: SolvedStrips, after: int, station: float):
+def straight_at(patch: Patch, strips: SolvedStrips, after: int, station: float):
     """Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT;
     ``after`` is its first strip beyond the station, or the one after its last."""
     low = patch.totals.start

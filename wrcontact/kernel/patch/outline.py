@@ -7,18 +7,8 @@ sides, left then right, follow all outputs, and the places for it among the outp
 
 from math import sqrt
 
-from ..layout import (
-    OUTPUT_COUNT,
-    RULE_ELLIPSE,
-    RULE_QUADRATIC,
-    RUN_COUNT,
-    STATION_COUNT,
-    Outline,
-    PatchTotals,
-    Regions,
-    SolvedPatches,
-    Tables,
-)
+from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STATION_COUNT, Outline,
+                      PatchTotals, Regions, SideSearch, SolvedStrips, Tables)
 from .interpolation import quadratic_at, straight_at
 
 
@@ -31,24 +21,18 @@ def row_size(tables: Tables):
     return size
 
 
-def fill_outline(outline: Outline, stations: int, value: float):
-    """Write ``value`` all over an outline."""
-    for i in range(RUN_COUNT * stations):
-        outline.numbers[i] = value
-    return 0
-
-
-def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, count: int):
-    """The outline of the solved patches of ``count`` regions at ``stations`` stations."""
-    if solved.count > 0:
-        rule = solved.patches[0].rule
+def write_outline(outline: Outline, stations: int, side: SideSearch, strips: SolvedStrips, regions: Regions,
+                  count: int):
+    """The outline of the patches of a side at ``stations`` stations, from the ``strips`` that its normal
+    model has laid in ``count`` regions; without shear and slip."""
+    if side.patch_count > 0:
+        rule = side.patches[0].rule
         if rule == RULE_ELLIPSE:
-            write_ellipse(outline, stations, solved.totals)
+            write_ellipse(outline, stations, side.totals)
         elif rule == RULE_QUADRATIC:
-            write_quadratic(outline, stations, solved, regions, count)
+            write_quadratic(outline, stations, side.totals, strips, regions, count)
         else:
-            write_straight(outline, stations, solved)
-    return 0
+            write_straight(outline, stations, side, strips)
 
 
 def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
@@ -62,22 +46,22 @@ def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
         outline.numbers[j] = share * half_width
         outline.numbers[stations + j] = half_length * height
         outline.numbers[2 * stations + j] = pressure * height
-    return 0
 
 
-def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, count: int):
+def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips: SolvedStrips,
+                    regions: Regions, count: int):
     """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the
     surfaces have a kink; they are cut there."""
-    start = solved.totals.start
-    stop = solved.totals.stop
-    largest = solved.totals.max_half_length
-    peak = solved.totals.max_pressure
+    start = totals.start
+    stop = totals.stop
+    largest = totals.max_half_length
+    peak = totals.max_pressure
     for j in range(stations):
         station = start + (stop - start) * float(j) / float(stations - 1)
         half_length = 0.0
         pressure = 0.0
         if j > 0 and j < stations - 1:
-            half_length, pressure = quadratic_at(solved, regions, count, station)
+            half_length, pressure = quadratic_at(strips, regions, count, station)
         if half_length > largest:
             half_length = largest
         if pressure > peak:
@@ -85,35 +69,33 @@ def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regi
         outline.numbers[j] = station
         outline.numbers[stations + j] = half_length
         outline.numbers[2 * stations + j] = pressure
-    return 0
 
 
-def write_straight(outline: Outline, stations: int, solved: SolvedPatches):
+def write_straight(outline: Outline, stations: int, side: SideSearch, strips: SolvedStrips):
     """The outline of patches with RULE_STRAIGHT."""
-    start = solved.totals.start
-    stop = solved.totals.stop
+    start = side.totals.start
+    stop = side.totals.stop
     index = 0
     strip = 0
     for j in range(stations):
         station = start + (stop - start) * float(j) / float(stations - 1)
         half_length = 0.0
         pressure = 0.0
-        index = patch_beside(solved, index, station)
-        patch = solved.patches[index]
+        index = patch_beside(side, index, station)
+        patch = side.patches[index]
         if j > 0 and j < stations - 1 and station > patch.totals.start and station < patch.totals.stop:
             if strip < patch.first:
                 strip = patch.first
-            while strip <= patch.last and solved.strips[strip].station < station:
+            while strip <= patch.last and strips[strip].station < station:
                 strip += 1
-            half_length, pressure = straight_at(patch, solved.strips, strip, station)
+            half_length, pressure = straight_at(patch, strips, strip, station)
         outline.numbers[j] = station
         outline.numbers[stations + j] = half_length
         outline.numbers[2 * stations + j] = pressure
-    return 0
 
 
-def patch_beside(solved: SolvedPatches, index: int, station: float):
+def patch_beside(side: SideSearch, index: int, station: float):
     """The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do."""
-    while index < solved.count - 1 and station > solved.patches[index].totals.stop:
+    while index < side.patch_count - 1 and station > side.patches[index].totals.stop:
         index += 1
     return index

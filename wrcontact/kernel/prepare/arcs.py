@@ -38,7 +38,6 @@ def write_cubic(tables: Tables, base: int, cell: int, low: float, high: float, l
     cubic.slope = low_rise
     cubic.bend = 3.0 * rise - 2.0 * low_rise - high_rise
     cubic.third = low_rise + high_rise - 2.0 * rise
-    return 0
 
 
 def rail_speed(tables: Tables, rail: int, abscissa: float):

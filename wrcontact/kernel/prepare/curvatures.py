@@ -93,7 +93,6 @@ def write_gauss(work: 'float[:]', scratch: int):
     work[scratch + GAUSS_POINTS + 8] = 0.1494513491505804
     work[scratch + 9] = 0.9739065285171717
     work[scratch + GAUSS_POINTS + 9] = 0.06667134430868814
-    return 0
 
 
 def arc_panel(tables: 'float[:]', profile: int, low: float, high: float, work: 'float[:]', scratch: int):

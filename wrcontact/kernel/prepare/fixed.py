@@ -6,20 +6,9 @@ ratios (binding/rolling_table.py).  The tables follow one after the other.
 
 from typing import Final
 
-from ..layout import (
-    CORRECTION_RADII,
-    CORRECTION_SCALES,
-    CORRECTION_SIZE,
-    POINT_LIMIT,
-    REACH_CELLS,
-    REACH_COLUMNS,
-    REACH_ROW,
-    ROLLING_TABLE_SIZE,
-    SHAPE_CELLS,
-    SHAPE_ROW,
-    RollingTable,
-    Tables,
-)
+from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, POINT_LIMIT, REACH_CELLS,
+                      REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SHAPE_CELLS, SHAPE_ROW, RollingTable,
+                      Tables)
 from .pieces import FULL
 
 FIXED_HERTZ: Final[int] = 0
@@ -117,4 +106,3 @@ def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisso
     for i in range(CORRECTION_SIZE):
         table.corrections[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SIZE + i]
                                 + high * fixed[at + 2 * CORRECTION_SIZE + i])
-    return 0

@@ -59,11 +59,10 @@ def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: f
     tables[at + 4] = (10.0 * rest - 4.0 * slope + 0.5 * bend) / cube
     tables[at + 5] = (-15.0 * rest + 7.0 * slope - bend) / (cube * h)
     tables[at + 6] = (6.0 * rest - 3.0 * slope + 0.5 * bend) / (cube * h * h)
-    return 0
 
 
-def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: float, high: float):
-    """1 if the piece at ``at`` follows the zone closely enough between ``low`` and ``high`` [mm], else 0."""
+def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: float, high: float) -> bool:
+    """Whether the piece at ``at`` follows the zone closely enough between ``low`` and ``high`` [mm]."""
     c0 = tables[at + 1]
     c1 = tables[at + 2]
     c2 = tables[at + 3]
@@ -71,7 +70,7 @@ def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: 
     c4 = tables[at + 5]
     c5 = tables[at + 6]
     part = (high - low) / float(PARTS)
-    good = 1
+    good = True
     for i in range(1, PARTS):
         y = float(i) * part + low
         u = y - low
@@ -79,9 +78,9 @@ def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: 
         height = ((((c5 * u + c4) * u + c3) * u + c2) * u + c1) * u + c0
         own_bend = ((c5 * 20.0 * u + c4 * 12.0) * u + c3 * 6.0) * u + c2 * 2.0
         if not fabs(height - z) <= PIECE_ERROR:
-            good = 0
+            good = False
         if not fabs(own_bend - bend) / (1.0 + fabs(bend)) <= PIECE_BEND_ERROR:
-            good = 0
+            good = False
     return good
 
 
@@ -100,7 +99,7 @@ def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, star
         z_high, slope_high, bend_high = zone_jet(zones, row, high)
         write_quintic(tables, at, low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high)
         if (high - low < 2.0 * SHORTEST_PIECE or waiting == HALVINGS
-                or follows_zone(tables, at, zones, row, low, high) == 1):
+                or follows_zone(tables, at, zones, row, low, high)):
             at += PIECE_SIZE
             low = high
             waiting -= 1
@@ -110,15 +109,12 @@ def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, star
     return at
 
 
-def steps(zones: 'float[:]', before: int, after: int):
-    """1 if the heights of two zones differ where the second starts, else 0."""
+def steps(zones: 'float[:]', before: int, after: int) -> bool:
+    """Whether the heights of two zones differ where the second starts."""
     y = zones[after + ZONE_START]
     z_before, slope, bend = zone_jet(zones, before, y)
     z_after, slope, bend = zone_jet(zones, after, y)
-    different = 0
-    if fabs(z_before - z_after) > REPAIRED_STEP:
-        different = 1
-    return different
+    return fabs(z_before - z_after) > REPAIRED_STEP
 
 
 def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, after: int, low: float,
@@ -148,14 +144,14 @@ def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index:
     zone_start = zones[row + ZONE_START]
     start = zone_start
     stop = zones[row + ZONE_STOP]
-    if index > 0 and steps(zones, row - size, row) == 1:
+    if index > 0 and steps(zones, row - size, row):
         inner = min(start + REPAIR_WIDTH, 0.5 * (start + stop))
         at = write_repair(tables, at, zones, row - size, row, start, inner)
         start = inner
     last = stop
-    repaired = 0
-    if index + 1 < int(zones[base + DEFINITION_COUNT]) and steps(zones, row, row + size) == 1:
-        repaired = 1
+    repaired = False
+    if index + 1 < int(zones[base + DEFINITION_COUNT]) and steps(zones, row, row + size):
+        repaired = True
         last = max(stop - REPAIR_WIDTH, 0.5 * (zone_start + stop))
     if last > start and at != FULL:
         count = int(ceil((last - start) / LONGEST_PIECE))
@@ -166,7 +162,7 @@ def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index:
                 high = last
             if at != FULL:
                 at = write_refined(tables, at, zones, row, float(i) * length + start, high, work, scratch)
-    if repaired == 1 and at != FULL:
+    if repaired and at != FULL:
         at = write_repair(tables, at, zones, row, row + size, last, stop)
     return at
 
@@ -217,4 +213,3 @@ def to_metres(tables: 'float[:]', first: int, end: int):
         tables[at + 5] = tables[at + 5] * SCALE_4
         tables[at + 6] = tables[at + 6] * SCALE_5
         at += PIECE_SIZE
-    return 0

@@ -6,28 +6,10 @@ A definition (zones.py) is turned and shifted into another one, in millimetres.
 from math import atan, cos, fabs, sin
 from typing import Final
 
-from .zones import (
-    DEFINITION_COUNT,
-    DEFINITION_ROW,
-    DEFINITION_ZONES,
-    FAMILY_ARC,
-    ZONE_COS,
-    ZONE_FAMILY,
-    ZONE_FIRST,
-    ZONE_LAST,
-    ZONE_ORIGIN,
-    ZONE_RADIUS,
-    ZONE_SIDE,
-    ZONE_SIN,
-    ZONE_START,
-    ZONE_STOP,
-    ZONE_TURNED,
-    ZONE_Y_SHIFT,
-    ZONE_Z_CENTRE,
-    ZONE_Z_SHIFT,
-    turned_point,
-    upright_jet,
-)
+from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, FAMILY_ARC, ZONE_COS, ZONE_FAMILY,
+                    ZONE_FIRST, ZONE_LAST, ZONE_ORIGIN, ZONE_RADIUS, ZONE_SIDE, ZONE_SIN, ZONE_START,
+                    ZONE_STOP, ZONE_TURNED, ZONE_Y_SHIFT, ZONE_Z_CENTRE, ZONE_Z_SHIFT, turned_point,
+                    upright_jet)
 
 #: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees. Flanges of wheels
 #: in use are less steep, 75 degrees at most, so no contact lies beyond.
@@ -184,22 +166,22 @@ def keep_around_top(zones: 'float[:]', base: int):
     size = int(zones[base + DEFINITION_ROW])
     count = int(zones[base + DEFINITION_COUNT])
     first = 0
-    found = 0
-    while found == 0 and first < count:
+    found = False
+    while not found and first < count:
         row = base + DEFINITION_ZONES + first * size
         if zones[row + ZONE_START] <= 0.0 and 0.0 <= zones[row + ZONE_STOP]:
-            found = 1
+            found = True
         else:
             first += 1
     last = first
-    while (found == 1 and first > 0
-           and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size) == 1):
+    while (found and first > 0
+           and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size)):
         first -= 1
-    while (found == 1 and last + 1 < count
-           and meets_next(zones, base + DEFINITION_ZONES + last * size, size) == 1):
+    while (found and last + 1 < count
+           and meets_next(zones, base + DEFINITION_ZONES + last * size, size)):
         last += 1
     kept = 0
-    if found == 1:
+    if found:
         kept = last + 1 - first
     for k in range(kept * size):
         zones[base + DEFINITION_ZONES + k] = zones[base + DEFINITION_ZONES + first * size + k]
@@ -207,9 +189,6 @@ def keep_around_top(zones: 'float[:]', base: int):
     return kept
 
 
-def meets_next(zones: 'float[:]', row: int, size: int):
-    """1 if the zone ends where the one after it starts, else 0."""
-    met = 0
-    if fabs(zones[row + ZONE_STOP] - zones[row + size + ZONE_START]) < MEETING:
-        met = 1
-    return met
+def meets_next(zones: 'float[:]', row: int, size: int) -> bool:
+    """Whether the zone ends where the one after it starts."""
+    return fabs(zones[row + ZONE_STOP] - zones[row + size + ZONE_START]) < MEETING

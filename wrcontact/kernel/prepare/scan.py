@@ -7,17 +7,8 @@ second derivative and the largest absolute slope of its samples.
 from math import ceil, fabs
 from typing import Final
 
-from ..layout import (
-    EXPONENTS,
-    PIECE_SIZE,
-    RAIL_CELL_SIZE,
-    SCAN_LIMIT,
-    SCAN_NODE_SIZE,
-    Profile,
-    Scan,
-    Tables,
-    offset,
-)
+from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Profile, Scan,
+                      Tables, offset)
 from ..search.bounds import STEEP, WIDEST
 from ..surface.profile_table import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
@@ -89,7 +80,6 @@ def sample_pieces(tables: 'float[:]', base: int, work: 'float[:]', scratch: int)
         work[scratch + 3 * i] = least
         work[scratch + 3 * i + 1] = most
         work[scratch + 3 * i + 2] = steepest
-    return 0
 
 
 def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, low: float, high: float):
@@ -196,7 +186,6 @@ def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]',
             if exponent == 0:
                 node.least_bend = least
             cells += cells
-    return 0
 
 
 def write_levers(tables: Tables, scan: Scan, count: int):
@@ -213,7 +202,6 @@ def write_levers(tables: Tables, scan: Scan, count: int):
             z, slope = height_slope(tables.wheel, y)
             largest = max(largest, -slope * (tables.radius + z) - (tables.arm + y))
         node.lever = largest
-    return 0
 
 
 def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int):
@@ -237,7 +225,6 @@ def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int
                                                edge + length)
             cell.least_bends[exponent] = least
             cells += cells
-    return 0
 
 
 def write_scan(tables: Tables, work: 'float[:]', scratch: int):

@@ -10,23 +10,9 @@ of starts of the right side (``start_shift`` and ``note_start``), and last come 
 from math import atan
 from typing import Final
 
-from ..layout import (
-    DEPTH_ALL,
-    LATERAL_LIMIT,
-    PARAMETERS_SIZE,
-    SETTING_COUNT,
-    SIDES_BOTH,
-    START_COUNT,
-    STARTS_SIZE,
-    STATION_COUNT,
-    TANGENTIAL_NONE,
-    UNLOADED,
-    YAW_LIMIT,
-    Outputs,
-    Profile,
-    Setup,
-    Tables,
-)
+from ..layout import (DEPTH_ALL, LATERAL_LIMIT, PARAMETERS_SIZE, SETTING_COUNT, SIDES_BOTH, START_COUNT,
+                      STARTS_SIZE, STATION_COUNT, TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, Outputs, Profile,
+                      Setup, Tables)
 from .arcs import write_abscissae, write_arcs
 from .fixed import FIXED_HERTZ, FIXED_INFLUENCE, append_fixed, append_rolling
 from .curvatures import write_curvatures
@@ -102,7 +88,6 @@ def write_settings(setup: Setup, tables: Tables):
     tables.stations = float(STATION_COUNT)
     for i in range(PARAMETERS_SIZE):
         tables.parameters[i] = setup.parameters[i]
-    return 0
 
 
 def write_methods(setup: Setup, tables: Tables):
@@ -114,7 +99,6 @@ def write_methods(setup: Setup, tables: Tables):
     tables.separation = setup.parameters.separation
     tables.longitudinal = setup.parameters.longitudinal_curvature
     tables.lateral = setup.parameters.lateral_curvature
-    return 0
 
 
 def append_starts(tables: Tables, at: int):
@@ -200,19 +184,17 @@ def note_start(tables: Tables, outputs: Outputs, row: int, status: int):
         start.roll = outputs.roll
         start.left = outputs.left[0].y_wheel
         start.right = outputs.left[1].y_wheel
-    return 0
 
 
-def open_starts(tables: Tables, equal: int):
+def open_starts(tables: Tables, equal: bool):
     """Let the search use the table of starts, once its last row is known.
 
-    Where both sides are equal, ``equal`` = 1, rows of opposite shifts are made mirror images of each other to
+    Where both sides are equal, ``equal``, rows of opposite shifts are made mirror images of each other to
     the last bit: a wheelset and its mirror image start alike.
     """
-    if equal == 1:
+    if equal:
         mirror_starts(tables)
     tables.starts.count = float(START_COUNT)
-    return 0
 
 
 def mirror_starts(tables: Tables):
@@ -224,4 +206,3 @@ def mirror_starts(tables: Tables):
         rows[row].right = rows[START_COUNT - 1 - row].left
     rows[START_COUNT // 2].roll = 0.0
     rows[START_COUNT // 2].left = rows[START_COUNT // 2].right
-    return 0

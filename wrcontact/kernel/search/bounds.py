@@ -9,7 +9,7 @@ tests/search/test_rigid.py.
 from math import fabs
 from typing import Final
 
-from ..layout import EXPONENTS, Place, Scan
+from ..layout import EXPONENTS, Place, Scan, inlined
 from .raster import node_below
 
 #: Share by which roll and yaw change the second derivative of either profile, as seen along the track [-];
@@ -110,6 +110,7 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
     return fall
 
 
+@inlined
 def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
                    slope: float, exponent: int):
     """The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
@@ -179,14 +180,13 @@ def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
     return least, most
 
 
-def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
-    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
-    rises by no less than ``least`` and no more than ``most`` [1/m], else 0."""
-    steady = 0
-    if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
-        steady = 1
+def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: float,
+                        mismatch_high: float) -> bool:
+    """Whether the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
+    rises by no less than ``least`` and no more than ``most`` [1/m]."""
+    steady = mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0
     if mismatch_high <= 0.0 and least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0:
-        steady = 1
+        steady = True
     return steady
 
 

@@ -37,7 +37,6 @@ def write_cell(cell: Cell, low: float, high: float, gap_low: float, gap_high: fl
     cell.gap_high = gap_high
     cell.mismatch_low = mismatch_low
     cell.mismatch_high = mismatch_high
-    return 0
 
 
 def cell_ends(cell: Cell):
@@ -69,7 +68,7 @@ def search_cell(tables: Tables, side: SideSearch, state: State, least: float, mo
         if lowest - most * width * width / 8.0 < side.best:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
-            steady = only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) == 1 and not folded
+            steady = only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) and not folded
             if turns and (least > 0.0 or width <= NARROW):
                 y, gap = refine_minimum(tables, at, state, cell, SHARP)
                 keep_refined(side, y, gap, width)
@@ -80,7 +79,6 @@ def search_cell(tables: Tables, side: SideSearch, state: State, least: float, mo
                 write_cell(side.stack[depth + 1], middle, high, gap, gap_high, mismatch, mismatch_high)
                 write_cell(cell, low, middle, gap_low, gap, mismatch_low, mismatch)
                 depth += 2
-    return 0
 
 
 def list_cell(tables: Tables, side: SideSearch, state: State, node: int, direction: int, abscissa: float):
@@ -115,7 +113,7 @@ def list_cell(tables: Tables, side: SideSearch, state: State, node: int, directi
                 if gap < side.reach:
                     list_minimum(side, y, rail_below(tables, at, y), direction)
             elif (width > NARROW
-                  and (folded or only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) == 0)):
+                  and (folded or not only_rises_or_falls(least, most, width, mismatch_low, mismatch_high))):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, at, middle)
                 state.gap_count += 1.0
@@ -128,7 +126,6 @@ def list_cell(tables: Tables, side: SideSearch, state: State, node: int, directi
                     write_cell(cell, low, middle, gap_low, gap, mismatch_low, mismatch)
                     write_cell(other, middle, high, gap, gap_high, mismatch, mismatch_high)
                 depth += 2
-    return 0
 
 
 def list_minimum(side: SideSearch, y: float, abscissa: float, direction: int):
@@ -145,7 +142,6 @@ def list_minimum(side: SideSearch, y: float, abscissa: float, direction: int):
             side.first = entry
         else:
             side.last = entry
-    return 0
 
 
 def keep_smaller(side: SideSearch, y: float, gap: float):
@@ -154,7 +150,6 @@ def keep_smaller(side: SideSearch, y: float, gap: float):
     if gap < side.best - ROUNDING:
         side.best = gap
         side.best_y = y
-    return 0
 
 
 def keep_refined(side: SideSearch, y: float, gap: float, width: float):
@@ -166,7 +161,6 @@ def keep_refined(side: SideSearch, y: float, gap: float, width: float):
     if gap < allowed:
         side.best = gap
         side.best_y = y
-    return 0
 
 
 def refine_minimum(tables: Tables, at: Place, state: State, cell: Cell, sharp: float):

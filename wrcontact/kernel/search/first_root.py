@@ -15,20 +15,8 @@ settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from ..layout import (
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    ROLL_LIMIT,
-    TRIAL_LIMIT,
-    VALID,
-    Inputs,
-    Place,
-    RollTrial,
-    RollTrials,
-    Sides,
-    State,
-    Tables,
-)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Place, RollTrial,
+                      RollTrials, Sides, State, Tables)
 from ..surface.locus import around_wheel, outline_point
 from ..surface.profile_table import height_slope
 from .raster import REACH_SHARE, node_below
@@ -49,35 +37,35 @@ FASTER: Final[float] = 1.5
 
 
 def solve_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
-               state: State, guess: float, warm: int):
+               state: State, guess: float, warm: bool):
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
     no roll does not decide that.
     """
     roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, guess, warm)
-    if status != VALID and (guess != 0.0 or warm == 1):
-        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, 0.0, 0)
+    if status != VALID and (guess != 0.0 or warm):
+        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, 0.0, False)
     return roll, status
 
 
 def certified_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides,
-                   trials: RollTrials, state: State, guess: float, warm: int):
+                   trials: RollTrials, state: State, guess: float, warm: bool):
     """``solve_roll`` from this start alone."""
     roll, status = any_roll(left_tables, right_tables, inputs, sides, state, guess, warm)
-    if status == VALID and falls_at_zero_roll(left_tables, right_tables, sides, roll) == 0:
-        if is_certainly_first(left_tables, right_tables, sides, state, roll) == 0:
+    if status == VALID and not falls_at_zero_roll(left_tables, right_tables, sides, roll):
+        if not is_certainly_first(left_tables, right_tables, sides, state, roll):
             roll, status = first_root(left_tables, right_tables, sides, trials, state, roll)
     return roll, status
 
 
-def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float):
-    """1 if D falls through its known root at ``roll``, and that is zero roll, else 0."""
-    falls = 0
+def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float) -> bool:
+    """Whether D falls through its known root at ``roll``, and that is zero roll."""
+    falls = False
     if fabs(roll) < APART:
         difference, move = newton_move(left_tables, right_tables, sides)
         if fabs(move) < 0.5:
-            falls = 1
+            falls = True
     return falls
 
 
@@ -101,9 +89,9 @@ def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
     return lever + lever_per_roll(steep, radius, arm) * fabs(roll) + yawed
 
 
-def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: float):
-    """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the
-    rail at zero roll, else 0."""
+def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: float) -> bool:
+    """Whether all places of a wheel whose levers are not below -``known`` [m] are beside the
+    rail at zero roll."""
     scan = tables.scan
     low = -1
     high = scan.count - 1
@@ -113,19 +101,20 @@ def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: f
             high = middle
         else:
             low = middle
-    beside = 1
+    beside = True
     if low >= 0:
         reach = REACH_SHARE * sine * sine * tables.radius * scan.steepest
         reach += LEANING_SHARE * tables.radius * fabs(at.rail_sin)
         furthest = at.shift + tables.arm + scan.nodes[high].y + reach
         if furthest > tables.rail_y + tables.rail.start:
-            beside = 0
+            beside = False
     return beside
 
 
-def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float):
-    """1 if D falls all the way from zero roll to its root at ``roll``, as far as the
-    steepest places tell, else 0.
+def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, state: State,
+                       roll: float) -> bool:
+    """Whether D falls all the way from zero roll to its root at ``roll``, as far as the
+    steepest places tell.
 
     The contact of the wheel that stands higher is known there. Of the other wheel count the
     places that are not beside the rail at zero roll; or those beyond its contact at zero
@@ -133,35 +122,35 @@ def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, 
     """
     sine = sides[1].place.sin_yaw
     turned = fabs(roll) + LEANING_SHARE * max(fabs(sides[0].place.rail_sin), fabs(sides[1].place.rail_sin))
-    certain = 0
+    certain = False
     if roll < 0.0:
         known = largest_lever_beyond(right_tables, sides[1].best_y, turned, sine)
         certain = is_beside_rail(left_tables, sides[0].place, known, turned, sine)
-        if certain == 0:
+        if not certain:
             certain = falls_from_zero_roll(left_tables, sides, 0, state, known, roll, turned)
     else:
         known = largest_lever_beyond(left_tables, sides[0].best_y, turned, sine)
         certain = is_beside_rail(right_tables, sides[1].place, known, turned, sine)
-        if certain == 0:
+        if not certain:
             certain = falls_from_zero_roll(right_tables, sides, 1, state, known, roll, turned)
     return certain
 
 
 def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State, known: float, roll: float,
-                         turned: float):
-    """1 if D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
+                         turned: float) -> bool:
+    """Whether D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
     ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
     either wheel is rolled against its rail by up to ``turned`` [rad]."""
     lower = sides[index]
     gap = lower.best
     y = lower.best_y
     abscissa = lower.best_rail
-    certain = 0
+    certain = False
     turn_both(sides, 0.0)
     followed = follow_side(tables, lower, state)
-    if search_side(tables, lower, state, followed) == 1:
+    if search_side(tables, lower, state, followed):
         if known + largest_lever_beyond(tables, lower.best_y, turned, sides[1].place.sin_yaw) < 0.0:
-            certain = 1
+            certain = True
     turn_both(sides, roll)
     lower.best = gap
     lower.best_y = y
@@ -221,14 +210,12 @@ def note_trial(trial: RollTrial, sides: Sides, roll: float):
     trial.difference = sides[1].best - sides[0].best
     trial.left = sides[0].best_y
     trial.right = sides[1].best_y
-    return 0
 
 
 def note_root(trial: RollTrial, sides: Sides, roll: float):
     """Note a root of D at ``roll`` [rad]."""
     note_trial(trial, sides, roll)
     trial.difference = 0.0
-    return 0
 
 
 def copy_trial(trial: RollTrial, to: RollTrial):
@@ -237,13 +224,12 @@ def copy_trial(trial: RollTrial, to: RollTrial):
     to.difference = trial.difference
     to.left = trial.left
     to.right = trial.right
-    return 0
 
 
 def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, near: RollTrial,
-                far: RollTrial, sign: float):
-    """1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign``
-    or, at ``far``, is zero; else 0."""
+                far: RollTrial, sign: float) -> bool:
+    """Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
+    ``sign`` or, at ``far``, is zero."""
     width = fabs(far.roll - near.roll)
     turn_both(sides, 0.5 * (far.roll + near.roll))
     left_least, left_most = lever_range(left_tables, state, sides[0].place, near.left, far.left)
@@ -256,15 +242,12 @@ def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, state: 
     least = left_least + right_least - margin
     most = left_most + right_most + margin
     if least >= 0.0 or most <= 0.0:
-        return 1
+        return True
     at_near = sign * near.difference
     at_far = sign * far.difference
     # the lines that bound D from below, from either end
     meet = (at_far - most * width - at_near) / (least - most)
-    clear = 0
-    if meet >= width or at_near + least * meet > 0.0:
-        clear = 1
-    return clear
+    return meet >= width or at_near + least * meet > 0.0
 
 
 def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: RollTrials, state: State,
@@ -273,7 +256,7 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
     near = trials.near
     note_root(trials.far[0], sides, roll)
     turn_both(sides, 0.0)
-    if search_both(left_tables, right_tables, sides, state, 0) == 0:
+    if not search_both(left_tables, right_tables, sides, state, False):
         return 0.0, OFF_PROFILE
     note_trial(near, sides, 0.0)
     if near.difference == 0.0:
@@ -288,20 +271,20 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
     status = VALID
     if sign * roll < 0.0:
         roll, status = roll_between(left_tables, right_tables, sides, state, 0.5 * (first + last), first,
-                                    last, 0)
+                                    last, False)
         note_root(trials.far[0], sides, roll)
     end = 0
     trial = 0
     while end >= 0 and status == VALID:
         far = trials.far[end]
         width = fabs(far.roll - near.roll)
-        if width < APART or has_no_root(left_tables, right_tables, sides, state, near, far, sign) == 1:
+        if width < APART or has_no_root(left_tables, right_tables, sides, state, near, far, sign):
             copy_trial(far, near)
             end -= 1
         else:
             middle = 0.5 * (far.roll + near.roll)
             turn_both(sides, middle)
-            if search_both(left_tables, right_tables, sides, state, 0) == 0:
+            if not search_both(left_tables, right_tables, sides, state, False):
                 status = OFF_PROFILE
             elif sign * (sides[1].best - sides[0].best) > 0.0:
                 end += 1
@@ -316,7 +299,7 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
             status = NOT_CONVERGED
     if status == VALID:
         turn_both(sides, roll)
-        search_both(left_tables, right_tables, sides, state, 0)
+        search_both(left_tables, right_tables, sides, state, False)
     return roll, status
 
 
@@ -329,4 +312,4 @@ def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, state: 
     if sign < 0.0:
         first = middle - APART
         last = near
-    return roll_between(left_tables, right_tables, sides, state, middle, first, last, 0)
+    return roll_between(left_tables, right_tables, sides, state, middle, first, last, False)

@@ -45,9 +45,9 @@ def rail_below(tables: Tables, at: Place, y: float):
     return y_track - tables.rail_y
 
 
-def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: float):
-    """1 if the outline, beside the rail at node ``node``, does not come back above it further
-    in ``direction``, else 0.
+def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: float) -> bool:
+    """Whether the outline, beside the rail at node ``node``, does not come back above it further
+    in ``direction``.
 
     Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
     reach over a rail that ends below the flange root.
@@ -62,10 +62,7 @@ def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: 
         sine = at.sin_yaw
         steep = scan.steepest + scan.nodes[node].slope
         reach = REACH_SHARE * sine * sine * at.radius * steep + REACH_ROLL * fabs(at.sin_roll)
-    leaves = 0
-    if apart > reach:
-        leaves = 1
-    return leaves
+    return apart > reach
 
 
 def above_rail_end(tables: Tables, at: Place, node: int, outward: int):
@@ -75,7 +72,7 @@ def above_rail_end(tables: Tables, at: Place, node: int, outward: int):
     outside = tables.scan.nodes[node + outward].y
     while fabs(outside - inside) > END_SHARP:
         middle = 0.5 * (inside + outside)
-        if above_rail(tables, rail_below(tables, at, middle)) == 1:
+        if above_rail(tables, rail_below(tables, at, middle)):
             inside = middle
         else:
             outside = middle

@@ -12,18 +12,8 @@ smaller minima take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from ..layout import (
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    ROLL_LIMIT,
-    VALID,
-    Inputs,
-    Place,
-    SideSearch,
-    Sides,
-    State,
-    Tables,
-)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Place, SideSearch, Sides, State,
+                      Tables)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from ..surface.rails import lean_rail, move_rail, turn_leaning
@@ -56,7 +46,6 @@ def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides:
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
     if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
         lean_both(left_tables, right_tables, inputs, sides, roll)
-    return 0
 
 
 def lean_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):
@@ -64,7 +53,6 @@ def lean_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: 
     lean_rail(sides[1].place, right_tables.rail_y, inputs.right_rail_roll)
     lean_rail(sides[0].place, left_tables.rail_y, -inputs.left_rail_roll)
     turn_both(sides, roll)
-    return 0
 
 
 def turn_both(sides: Sides, roll: float):
@@ -77,25 +65,23 @@ def turn_both(sides: Sides, roll: float):
     if sides[1].place.leaning:
         turn_leaning(sides[1].place)
         turn_leaning(sides[0].place)
-    return 0
 
 
 def restore_yaw(place: Place):
     """The yaw in the track, where that in the frame of a rolled rail stood."""
     place.sin_yaw = place.track_sin_yaw
     place.cos_yaw = place.track_cos_yaw
-    return 0
 
 
-def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, known: int):
-    """Search both sides; 1 if both wheels are above their rails, else 0."""
+def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, known: bool) -> bool:
+    """Search both sides; whether both wheels are above their rails."""
     left = search_side(left_tables, sides[0], state, known)
     right = search_side(right_tables, sides[1], state, known)
-    return left * right
+    return left and right
 
 
-def follow_side(tables: Tables, side: SideSearch, state: State):
-    """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
+def follow_side(tables: Tables, side: SideSearch, state: State) -> bool:
+    """Move a side's known smallest gap to this roll's by Newton's method; whether it is found near."""
     at = side.place
     wheel = tables.wheel
     y = side.best_y
@@ -103,18 +89,18 @@ def follow_side(tables: Tables, side: SideSearch, state: State):
         gap, mismatch, rate = vertical_gap(tables, at, y)
         state.gap_count += 1.0
         if not rate > 0.0:
-            return 0
+            return False
         move = -mismatch / rate
         if fabs(move) < SHARP:
             abscissa = rail_below(tables, at, y)
-            if above_rail(tables, abscissa) == 0:
-                return 0
+            if not above_rail(tables, abscissa):
+                return False
             keep_known(side, y, gap, abscissa)
-            return 1
+            return True
         y += move
         if fabs(y - side.best_y) > FOLLOW_REACH or not (y > wheel.start and y < wheel.stop):
-            return 0
-    return 0
+            return False
+    return False
 
 
 def newton_move(left_tables: Tables, right_tables: Tables, sides: Sides):
@@ -130,7 +116,7 @@ def newton_move(left_tables: Tables, right_tables: Tables, sides: Sides):
 
 def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
                     low: float, high: float):
-    """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
+    """Roll [rad] at which the two known minima are equal, following them; second value: whether found.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
     and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
@@ -147,41 +133,41 @@ def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, sta
         gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(
             right_tables, sides[1].place, right)
         if not (rate_left > 0.0 and rate_right > 0.0):
-            return roll, 0
+            return roll, False
         move_left = -mismatch_left / rate_left
         move_right = -mismatch_right / rate_right
         # gaps and levers at the minima next to these places, to second and first order
         difference = gap_right - gap_left + 0.5 * (mismatch_right * move_right - mismatch_left * move_left)
         lever = lever_right + lever_left + turn_right * move_right + turn_left * move_left
         if not lever < 0.0:
-            return roll, 0
+            return roll, False
         move = -difference / lever
         move_left += turn_left * move / rate_left
         move_right -= turn_right * move / rate_right
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
-            if (on_profiles(left_tables, left, rail_left) == 0
-                or on_profiles(right_tables, right, rail_right) == 0):
-                return roll, 0
+            if (not on_profiles(left_tables, left, rail_left)
+                or not on_profiles(right_tables, right, rail_right)):
+                return roll, False
             keep_known(sides[0], left, gap_left, rail_left)
             keep_known(sides[1], right, gap_right, rail_right)
-            return roll, 1
+            return roll, True
         if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE
                 and fabs(move_right) < LONGEST_MOVE):
-            return roll, 0
+            return roll, False
         left += move_left
         right += move_right
         roll += move
         if not (roll > low and roll < high):
-            return roll, 0
-    return roll, 0
+            return roll, False
+    return roll, False
 
 
-def on_profiles(tables: Tables, y: float, abscissa: float):
-    """1 if there is a wheel at ``y`` and a rail at ``abscissa`` [m], else 0."""
+def on_profiles(tables: Tables, y: float, abscissa: float) -> bool:
+    """Whether there is a wheel at ``y`` and a rail at ``abscissa`` [m]."""
     wheel = tables.wheel
     on = above_rail(tables, abscissa)
     if y < wheel.start or y > wheel.stop:
-        on = 0
+        on = False
     return on
 
 
@@ -190,11 +176,10 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     side.best = gap
     side.best_y = y
     side.best_rail = abscissa
-    return 0
 
 
 def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
-                 first: float, last: float, known: int):
+                 first: float, last: float, known: bool):
     """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
@@ -205,20 +190,20 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
     width = high - low
     difference = 0.0
     for i in range(SEARCHES):
-        if known == 0:
+        if not known:
             turn_both(sides, roll)
         before_left = sides[0].best_y
         before_right = sides[1].best_y
         found = search_both(left_tables, right_tables, sides, state, known)
-        if known == 1 and before_left == sides[0].best_y and before_right == sides[1].best_y:
+        if known and before_left == sides[0].best_y and before_right == sides[1].best_y:
             return roll, VALID
-        known = 0
+        known = False
         # a wheel beside its rail has a large gap
         difference = sides[1].best - sides[0].best
-        if found == 0 and difference == 0.0:
+        if not found and difference == 0.0:
             return roll, OFF_PROFILE
         move = 1.0
-        if found == 1:
+        if found:
             difference, move = newton_move(left_tables, right_tables, sides)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
@@ -238,7 +223,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
         else:
             balanced, known = equalize_minima(left_tables, right_tables, sides, state, roll + move, low, high)
             roll += move
-            if known == 1:
+            if known:
                 roll = balanced
     status = NOT_CONVERGED
     if high - low < ROLL_SHARP:
@@ -250,7 +235,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
 
 
 def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, state: State,
-             guess: float, warm: int):
+             guess: float, warm: bool):
     """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
@@ -258,16 +243,17 @@ def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: S
     start = guess
     if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
         start = 0.0
-    known = 0
+    known = False
     place_both(left_tables, right_tables, inputs, sides, start)
-    if warm == 1:
+    if warm:
         balanced, known = equalize_minima(left_tables, right_tables, sides, state, start, -ROLL_LIMIT,
                                           ROLL_LIMIT)
-        if known == 1:
+        if known:
             start = balanced
     roll, status = roll_between(left_tables, right_tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT,
                                 known)
     if status != VALID and start != 0.0:
         # far from zero roll a wheel may be beside its rail, and D without a sign
-        roll, status = roll_between(left_tables, right_tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
+        roll, status = roll_between(left_tables, right_tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT,
+                                    False)
     return roll, status

@@ -18,8 +18,8 @@ from .walk import LARGE_GAP, walk
 PROBE_STRIDE: Final[int] = 8
 
 
-def search_side(tables: Tables, side: SideSearch, state: State, known: int):
-    """Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; 1 if there is one, else 0.
+def search_side(tables: Tables, side: SideSearch, state: State, known: bool) -> bool:
+    """Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
 
     With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
     smaller one is looked for.
@@ -27,17 +27,17 @@ def search_side(tables: Tables, side: SideSearch, state: State, known: int):
     scan = tables.scan
     at = side.place
     state.scan_count += 1.0
-    if known == 1:
+    if known:
         cell = node_below(scan, side.best_y)
         ahead = rising_from_minimum(scan, at, side.best_y, 1, side.best_rail)
         behind = rising_from_minimum(scan, at, side.best_y, -1, side.best_rail)
         if ahead >= 0 and behind >= 0:
-            walk(tables, side, state, cell + (1 << ahead), 1, 0)
-            walk(tables, side, state, cell + 1 - (1 << behind), -1, 0)
-            return 1
+            walk(tables, side, state, cell + (1 << ahead), 1, False)
+            walk(tables, side, state, cell + 1 - (1 << behind), -1, False)
+            return True
         node = cell
         gap, mismatch, abscissa = node_gap(tables, at, node)
-        if above_rail(tables, abscissa) == 0:
+        if not above_rail(tables, abscissa):
             node = cell + 1
     else:
         side.best = LARGE_GAP
@@ -45,10 +45,10 @@ def search_side(tables: Tables, side: SideSearch, state: State, known: int):
         if node < 0:
             node = best_node(tables, side, state, 1)
         if node < 0:
-            return 0
-    walk(tables, side, state, node, 1, 0)
-    walk(tables, side, state, node, -1, 0)
-    return 1
+            return False
+    walk(tables, side, state, node, 1, False)
+    walk(tables, side, state, node, -1, False)
+    return True
 
 
 def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
@@ -61,12 +61,12 @@ def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
     while node < scan.count:
         gap, mismatch, abscissa = node_gap(tables, at, node)
         state.gap_count += 1.0
-        if above_rail(tables, abscissa) == 1:
+        if above_rail(tables, abscissa):
             if gap < side.best:
                 side.best = gap
                 side.best_y = scan.nodes[node].y
                 found = node
-        elif found >= 0 and leaves_rail(tables, at, node, 1, abscissa) == 1:
+        elif found >= 0 and leaves_rail(tables, at, node, 1, abscissa):
             return found
         node += stride
     return found
@@ -83,9 +83,8 @@ def list_minima(tables: Tables, side: SideSearch, state: State, reach: float, ab
     ahead = rising_from_minimum(scan, side.place, side.best_y, 1, abscissa)
     if ahead < 0:
         ahead = 0
-    walk(tables, side, state, cell + (1 << ahead), 1, 1)
+    walk(tables, side, state, cell + (1 << ahead), 1, True)
     behind = rising_from_minimum(scan, side.place, side.best_y, -1, abscissa)
     if behind < 0:
         behind = 0
-    walk(tables, side, state, cell + 1 - (1 << behind), -1, 1)
-    return 0
+    walk(tables, side, state, cell + 1 - (1 << behind), -1, True)

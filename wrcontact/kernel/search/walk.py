@@ -22,7 +22,7 @@ from .raster import above_rail_end, leaves_rail, node_gap, rail_below
 LARGE_GAP: Final[float] = 1e3
 
 
-def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: int, listing: int):
+def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: int, listing: bool):
     """Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel."""
     scan = tables.scan
     at = side.place
@@ -31,25 +31,25 @@ def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: i
     gap_before = LARGE_GAP
     mismatch_before = 0.0
     abscissa_before = 0.0
-    skipped = 1
-    beside = 0
+    skipped = True
+    beside = False
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, at, node)
         state.gap_count += 1.0
-        if above_rail(tables, abscissa) == 0:
-            if skipped == 0 and beside == 0:
+        if not above_rail(tables, abscissa):
+            if not skipped and not beside:
                 search_end(tables, side, state, node - direction, direction, direction, listing)
-            if leaves_rail(tables, at, node, direction, abscissa) == 1:
-                return 0
-            beside = 1
-            skipped = 0
+            if leaves_rail(tables, at, node, direction, abscissa):
+                return
+            beside = True
+            skipped = False
             exponent = 0
         else:
-            if listing == 0:
+            if not listing:
                 keep_smaller(side, scan.nodes[node].y, gap)
-            if beside == 1:
+            if beside:
                 search_end(tables, side, state, node, -direction, direction, listing)
-            elif skipped == 0:
+            elif not skipped:
                 if direction > 0:
                     write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap,
                                mismatch_before, mismatch)
@@ -58,35 +58,34 @@ def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: i
                     write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before,
                                mismatch, mismatch_before)
                     search_between(tables, side, state, node, direction, abscissa, listing)
-            beside = 0
+            beside = False
             gap_before = gap
             mismatch_before = mismatch
             abscissa_before = abscissa
             slope = float(direction) * mismatch
-            if listing == 0:
+            if not listing:
                 exponent = clear_exponent(scan, at, node, direction, abscissa, gap - side.best, slope,
                                           exponent)
             else:
                 exponent = rising_exponent(scan, at, node, direction, abscissa, gap - side.reach, slope,
                                            exponent)
-            skipped = 1
+            skipped = True
             if exponent < 0:
                 exponent = 0
-                skipped = 0
+                skipped = False
         node += direction * (1 << exponent)
-        if beside == 0 and exponent < EXPONENTS - 1:
+        if not beside and exponent < EXPONENTS - 1:
             exponent += 1
-    return 0
 
 
 def search_between(tables: Tables, side: SideSearch, state: State, node: int, direction: int, abscissa: float,
-                   listing: int):
+                   listing: bool):
     """Search the first cell of the stack, which lies between ``node`` and the next one, if it
     can hold what is asked for.
 
     abscissa : of ``node`` on the rail [m].
     """
-    if listing == 1:
+    if listing:
         list_cell(tables, side, state, node, direction, abscissa)
     else:
         least, most = bend_bounds(tables.scan, side.place, node, abscissa)
@@ -94,11 +93,10 @@ def search_between(tables: Tables, side: SideSearch, state: State, node: int, di
         width = cell.high - cell.low
         if min(cell.gap_low, cell.gap_high) - most * width * width / 8.0 < side.best:
             search_cell(tables, side, state, least, most, cell.low, cell.high)
-    return 0
 
 
 def search_end(tables: Tables, side: SideSearch, state: State, node: int, outward: int, direction: int,
-               listing: int):
+               listing: bool):
     """Search between ``node``, above the rail, and the end of the rail, which lies before the next node
     ``outward`` (1 or -1)."""
     at = side.place
@@ -110,7 +108,7 @@ def search_end(tables: Tables, side: SideSearch, state: State, node: int, outwar
     if outward < 0:
         cell = node - 1
     if low < high:
-        if listing == 1:
+        if listing:
             gap_low, mismatch_low, rate = vertical_gap(tables, at, low)
             gap_high, mismatch_high, rate = vertical_gap(tables, at, high)
             state.gap_count += 2.0
@@ -123,4 +121,3 @@ def search_end(tables: Tables, side: SideSearch, state: State, node: int, outwar
                 abscissa = tables.rail.start
             least, most = bend_bounds(tables.scan, at, cell, abscissa)
             search_cell(tables, side, state, -1.0, most, low, high)
-    return 0

@@ -15,13 +15,10 @@ from .profile_table import height_slope, height_slope_bend
 FOLDED: Final[float] = 1e6
 
 
-def above_rail(tables: Tables, abscissa: float):
-    """1 if the rail profile has a height at ``abscissa`` [m], else 0."""
+def above_rail(tables: Tables, abscissa: float) -> bool:
+    """Whether the rail profile has a height at ``abscissa`` [m]."""
     rail = tables.rail
-    inside = 0
-    if abscissa >= rail.start and abscissa <= rail.stop:
-        inside = 1
-    return inside
+    return abscissa >= rail.start and abscissa <= rail.stop
 
 
 def vertical_gap(tables: Tables, place: Place, y: float):

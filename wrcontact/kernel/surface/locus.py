@@ -11,7 +11,7 @@ plane. Everything here is for a right wheel; the left one comes in mirrored (con
 
 from math import cos, sin, sqrt
 
-from ..layout import Place, Tables
+from ..layout import Place, Tables, inlined
 from .profile_table import height_slope
 
 
@@ -35,13 +35,11 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
     place.leaning = False
     place.rail_sin = 0.0
     turn_wheelset(place, roll)
-    return 0
 
 
 def turn_wheelset(place: Place, roll: float):
     """Give a placed wheelset another roll [rad]."""
     set_roll(place, sin(roll), cos(roll))
-    return 0
 
 
 def set_roll(place: Place, sin_roll: float, cos_roll: float):
@@ -59,7 +57,6 @@ def set_roll(place: Place, sin_roll: float, cos_roll: float):
     place.t = t
     place.cos_t = cos_t
     place.w_per_slope = w_per_slope
-    return 0
 
 
 def mirror_place(place: Place, mirrored: Place, radius: float):
@@ -75,7 +72,6 @@ def mirror_place(place: Place, mirrored: Place, radius: float):
     mirrored.leaning = False
     mirrored.rail_sin = 0.0
     mirror_roll(place, mirrored)
-    return 0
 
 
 def mirror_roll(place: Place, mirrored: Place):
@@ -85,9 +81,9 @@ def mirror_roll(place: Place, mirrored: Place):
     mirrored.t = place.t
     mirrored.cos_t = place.cos_t
     mirrored.w_per_slope = -place.w_per_slope
-    return 0
 
 
+@inlined
 def around_wheel(place: Place, slope: float):
     """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x
     component.

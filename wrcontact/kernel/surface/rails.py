@@ -23,7 +23,6 @@ def move_rail(place: Place, lateral: float, vertical: float):
     place.height += vertical
     place.rail_lateral = lateral
     place.rail_vertical = vertical
-    return 0
 
 
 def lean_rail(place: Place, rail_y: float, angle: float):
@@ -41,7 +40,6 @@ def lean_rail(place: Place, rail_y: float, angle: float):
     place.track_sin_yaw = place.sin_yaw
     place.track_cos_yaw = place.cos_yaw
     place.leaning = True
-    return 0
 
 
 def turn_leaning(place: Place):
@@ -57,7 +55,6 @@ def turn_leaning(place: Place):
     place.sin_yaw = -along / cosine
     place.cos_yaw = across / cosine
     set_roll(place, sine, cosine)
-    return 0
 
 
 def pitch_of_frame(place: Place):

@@ -60,11 +60,11 @@ def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, stat
     return gap, rate
 
 
-def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float):
+def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float) -> bool:
     """``move_arc``: the arc from the old abscissa to the new one has the given length."""
     start = frame.traces[curve].abscissa
     exists = move_arc(tables, frame, origin, curve, length)
-    if exists == 1:
+    if exists:
         u = held(frame.traces[curve].abscissa)
         place = length / held(curve_speed(tables, frame, origin, curve, u))
         if u == start:
@@ -76,12 +76,12 @@ def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: f
     return exists
 
 
-def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float):
+def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float) -> bool:
     """``move_chord``: both abscissae are a chord apart."""
     start = frame.traces[curve].abscissa
     from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
     exists = move_chord(tables, frame, origin, curve, chord)
-    if exists == 1:
+    if exists:
         u = held(frame.traces[curve].abscissa)
         across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
         across -= from_across
@@ -92,10 +92,10 @@ def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: 
     return exists
 
 
-def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
+def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float) -> bool:
     """``move_across``: the wheel's outline is at the given lateral coordinate."""
     exists = move_across(tables, frame, origin, lateral)
-    if exists == 1:
+    if exists:
         u = held(frame.traces[WHEEL].abscissa)
         across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
         frame.traces[WHEEL].abscissa = moving(u, -(across - lateral) / held(stretch))
@@ -105,7 +105,7 @@ def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
 def meet_rule(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
     """``meet_wheel``: the wheel's point lies on the rail's normal."""
     y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
-    if found == 1:
+    if found:
         z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
         z, slope, bend = height_slope_bend(tables.wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
@@ -123,7 +123,7 @@ def turning_rule(tables: Tables, place: Place, x: float, y: float, height: float
     found_x = x
     y, overlap, rise, rate, z, slope, bend, found = meet_rule(tables, place, x, held(y), height,
                                                               LINE_SHARP)
-    if found == 1:
+    if found:
         y, overlap, more, rate, z, slope, bend, found = meet_rule(tables, place, seeded(x, 1.0), held(y),
                                                                   height, LINE_SHARP)
         change = rate_of(more) - rate_of(rise)

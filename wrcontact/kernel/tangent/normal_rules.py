@@ -10,7 +10,7 @@ from .intrinsics import held, rate_of, seeded
 
 
 def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float,
-                      prescribed: int):
+                      prescribed: bool):
     """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap -
     sum of pushes, and of all the load is the force.
 
@@ -22,7 +22,7 @@ def penetrations_rule(work: Work, tables: Tables, state: State, count: int, forc
     given = penetration
     penetration, satisfied = solve_penetrations(tables, regions, nodes, state, count, force, penetration,
                                           prescribed)
-    if satisfied == 0:
+    if not satisfied:
         return penetration, satisfied
     size = count + 1
     equations = work.contact.equations
@@ -53,12 +53,12 @@ def penetrations_rule(work: Work, tables: Tables, state: State, count: int, forc
             equations[i][j] = held(equations[i][j]) * per_level
         equations[j][j] = held(equations[j][j]) + 1.0
         last[j] = 0.0
-        if prescribed == 0:
+        if not prescribed:
             last[j] = held(block.share) * per_level
     last[count] = 0.0
     last[size] = rate_of(force - total)
     last[size + 1] = 0.0
-    if prescribed == 1:
+    if prescribed:
         last[count] = 1.0
         last[size] = rate_of(given)
     eliminate(equations, size)

@@ -17,16 +17,16 @@ from math import cos, fabs, sin
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..wheelset.compliant import load_at_height
-from ..wheelset.creep_forces import has_creep_forces, write_creep_forces
-from ..wheelset.damping import is_damped
+from ..wheelset.compliant import is_damped, load_at_height
 from ..wheelset.elastic import UNBALANCED
+from ..wheelset.forces import sum_forces
 from ..wheelset.friction_load import LOAD_RATES, carried_share, carries_friction
 from ..wheelset.leaning import set_reference
-from ..wheelset.moving import is_rolling, open_given_motion, write_creepages
-from ..wheelset.requested import omit_outputs, side_force
-from ..wheelset.resultant import write_resultant
+from ..wheelset.moving import move_patches, open_given_motion
+from ..wheelset.report import report
+from ..wheelset.requested import side_force
 from ..wheelset.rigid import solve_rigid
+from ..wheelset.rubbing import rub_patches
 from ..wheelset.trial import balance_side
 from .intrinsics import held, moving, rate_of, seeded
 
@@ -41,7 +41,6 @@ def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
         begin_yaw(work, roll)
         if turning != 0.0:
             lean_both(left_tables, right_tables, work.inputs, work.sides, roll)
-    return 0
 
 
 def begin_yaw(work: Work, roll: float):
@@ -60,7 +59,6 @@ def begin_yaw(work: Work, roll: float):
                 place.track_sin_yaw = place.sin_yaw
                 place.track_cos_yaw = place.cos_yaw
         turn_both(work.sides, roll)
-    return 0
 
 
 def follow_minimum(tables: Tables, work: Work, index: int):
@@ -74,13 +72,12 @@ def follow_minimum(tables: Tables, work: Work, index: int):
     gap, mismatch, rate = vertical_gap(tables, at, y)
     side.best_y = y
     side.best = moving(side.best, gap)
-    return 0
 
 
 def follow_roll(left_tables: Tables, right_tables: Tables, work: Work):
     """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for
     how it follows the roll."""
-    roll = held(work.outputs.roll)
+    roll = held(work.wheelset.roll)
     place_moving(left_tables, right_tables, work, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
@@ -104,8 +101,8 @@ def follow_gaps(left_tables: Tables, right_tables: Tables, work: Work, roll: flo
 def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
     """The rigid roll [rad] over rolled rails: roll and vertical shift let both gaps end at the reference,
     which moves with them."""
-    roll = held(work.outputs.roll)
-    height = held(work.outputs.vertical_shift)
+    roll = held(work.wheelset.roll)
+    height = held(work.wheelset.vertical_shift)
     left, right = follow_gaps(left_tables, right_tables, work, roll, height)
     residual_left = rate_of(left)
     residual_right = rate_of(right)
@@ -131,22 +128,21 @@ def follow_position(left_tables: Tables, right_tables: Tables, work: Work, state
     balance_side(left_tables, work, state, 0, side_force(work, 0), height)
     follow_minimum(right_tables, work, 1)
     balance_side(right_tables, work, state, 1, side_force(work, 1), height)
-    return 0
 
 
-def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
     """The elastic position: the residuals of both sides' heights vanish, over height and roll.
 
-    1 where it does not, else 0: then the wheelset is where a side's load jumps past its force
+    Whether it does not: then the wheelset is where a side's load jumps past its force
     (elastic.bracket_height), and no equation gives the rate of that place.
     """
-    roll = work.outputs.roll
-    height = work.outputs.vertical_shift
+    roll = work.wheelset.roll
+    height = work.wheelset.vertical_shift
     left = work.supports[0]
     right = work.supports[1]
     follow_position(left_tables, right_tables, work, state, held(roll), held(height))
     if fabs(left.height - height) + fabs(right.height - height) > UNBALANCED:
-        return 1
+        return True
     residual_left = rate_of(left.height)
     residual_right = rate_of(right.height)
     follow_position(left_tables, right_tables, work, state, held(roll), seeded(height, 1.0))
@@ -157,14 +153,14 @@ def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state:
     right_roll = rate_of(right.height) - residual_right
     determinant = left_height * right_roll - right_height * left_roll
     if determinant == 0.0:
-        return 1
+        return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
     follow_position(left_tables, right_tables, work, state, seeded(roll, roll_rate),
                     seeded(height, height_rate))
-    work.outputs.roll = seeded(roll, roll_rate)
-    work.outputs.vertical_shift = seeded(height, height_rate)
-    return 0
+    work.wheelset.roll = seeded(roll, roll_rate)
+    work.wheelset.vertical_shift = seeded(height, height_rate)
+    return False
 
 
 def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
@@ -173,26 +169,25 @@ def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, stat
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
     place_moving(left_tables, right_tables, work, roll)
-    work.outputs.roll = roll
-    work.outputs.vertical_shift = height
-    if is_damped(right_tables) == 1:
+    work.wheelset.roll = roll
+    work.wheelset.vertical_shift = height
+    if is_damped(right_tables):
         open_given_motion(left_tables, right_tables, work)
     follow_minimum(left_tables, work, 0)
     load_at_height(left_tables, work, state, 0, height)
     follow_minimum(right_tables, work, 1)
     load_at_height(right_tables, work, state, 1, height)
-    return 0
 
 
-def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
-    left it. 1 where the rates are not defined (``follow_elastic``), else 0."""
+    left it; whether the rates are not defined (``follow_elastic``)."""
     outcome = follow_wheelset(left_tables, right_tables, work, state)
-    if carries_friction(right_tables, work) == 1:
+    if carries_friction(right_tables, work):
         for i in range(LOAD_RATES):
             follow_load(work)
             outcome = follow_wheelset(left_tables, right_tables, work, state)
-    omit_outputs(right_tables, work)
+    report(right_tables, work)
     return outcome
 
 
@@ -204,14 +199,13 @@ def follow_load(work: Work):
         share = carried_share(work, index)
         support.friction_load = seeded(support.friction_load, rate_of(support.friction_load)
                                        - held(support.friction_load) * rate_of(share) / held(share))
-    return 0
 
 
-def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
-    """Contact of both wheels, resultant, creepages and creep forces with their rates; 1 where the rates are
-    not defined, else 0."""
+def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+    """Contact of both wheels, resultant, creepages and creep forces with their rates; whether the rates are
+    not defined."""
     mode = right_tables.mode
-    outcome = 0
+    outcome = False
     if mode == MODE_RIGID:
         roll = follow_roll(left_tables, right_tables, work)
         if work.sides[1].place.leaning:
@@ -224,10 +218,7 @@ def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state
         outcome = follow_elastic(left_tables, right_tables, work, state)
     if mode == MODE_COMPLIANT:
         follow_compliant(left_tables, right_tables, work, state)
-    write_resultant(right_tables, work.inputs, work.outputs, work.supports[0].resultant,
-                    work.supports[1].resultant)
-    if is_rolling(work.inputs) == 1:
-        write_creepages(left_tables, right_tables, work, state)
-    if has_creep_forces(right_tables, work) == 1:
-        write_creep_forces(left_tables, right_tables, work)
+    move_patches(left_tables, right_tables, work, state)
+    rub_patches(left_tables, right_tables, work)
+    sum_forces(right_tables, work)
     return outcome

@@ -17,17 +17,8 @@ so the correction is continuous all over.
 from math import atan2, exp, fabs, log, pi, sqrt
 from typing import Final
 
-from ..layout import (
-    CORRECTION_AZIMUTHS,
-    CORRECTION_COLUMNS,
-    CORRECTION_ELEVATIONS,
-    CORRECTION_LINE,
-    CORRECTION_RADII,
-    CORRECTION_RATIOS,
-    RollingPatch,
-    RollingTable,
-    Tables,
-)
+from ..layout import (CORRECTION_AZIMUTHS, CORRECTION_COLUMNS, CORRECTION_ELEVATIONS, CORRECTION_LINE,
+                      CORRECTION_RADII, CORRECTION_RATIOS, Patch, RollingTable, Tables)
 from ..surface.table_cell import table_cell
 from .shapes import kalker_coefficients
 from .tractions import cut_to
@@ -39,14 +30,14 @@ FIRST_RATIO: Final[float] = 0.1
 PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
 
 
-def correct_force(tables: Tables, rolling: RollingPatch):
+def correct_force(tables: Tables, patch: Patch):
     """Add to a patch's force and moment what is missing."""
     table = tables.rolling
-    bound = rolling.friction * rolling.load
-    mean_axis = sqrt(rolling.half_length * rolling.half_width)
-    ratio, on_ratio = table_cell((log(rolling.half_length / rolling.half_width) - log(FIRST_RATIO))
+    bound = patch.friction * patch.totals.load
+    mean_axis = sqrt(patch.half_length * patch.half_width)
+    ratio, on_ratio = table_cell((log(patch.half_length / patch.half_width) - log(FIRST_RATIO))
                                  * PER_DOUBLING, float(CORRECTION_RATIOS - 1))
-    along, across, turning = saturation(tables, rolling, ratio, on_ratio)
+    along, across, turning = saturation(tables, patch, ratio, on_ratio)
     sign_x = 1.0
     if along < 0.0:
         sign_x = -1.0
@@ -58,28 +49,27 @@ def correct_force(tables: Tables, rolling: RollingPatch):
         turning = -turning
     at, on_elevation, on_azimuth, on_radius = node_at(table, along, across, turning)
     at += ratio * RATIO_STRIDE
-    rolling.force_x += sign_x * bound * missing(table, at, on_ratio, on_elevation, on_azimuth, on_radius)
-    rolling.force_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
-    rolling.moment += (sign_y * bound * mean_axis
-                       * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
-    force_x, force_y = cut_to(rolling.force_x, rolling.force_y, bound)
-    rolling.force_x = force_x
-    rolling.force_y = force_y
-    return 0
+    patch.creep_x += sign_x * bound * missing(table, at, on_ratio, on_elevation, on_azimuth, on_radius)
+    patch.creep_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
+    patch.creep_moment += (sign_y * bound * mean_axis
+                           * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
+    force_x, force_y = cut_to(patch.creep_x, patch.creep_y, bound)
+    patch.creep_x = force_x
+    patch.creep_y = force_y
 
 
-def saturation(tables: Tables, rolling: RollingPatch, cell: int, share: float):
+def saturation(tables: Tables, patch: Patch, cell: int, share: float):
     """s1, s2, s3 of eq. (D1), with the coefficients that the table was made with; ``cell`` and ``share`` are
     the patch's place among the table's ratios a/b."""
-    ratio = rolling.half_length / rolling.half_width
-    area = rolling.half_length * rolling.half_width
+    ratio = patch.half_length / patch.half_width
+    area = patch.half_length * patch.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
-    scale = -area * tables.shear_modulus / (rolling.friction * rolling.load)
+    scale = -area * tables.shear_modulus / (patch.friction * patch.totals.load)
     wide = sqrt(1.0 + 0.66 * exp(-2.7 * log(ratio)))
     at = 3 * cell
-    return (scale * first * scale_at(tables.rolling, at, share) * rolling.creepage_x,
-            scale * second * scale_at(tables.rolling, at + 1, share) * rolling.creepage_y,
-            scale * sqrt(area) * third * scale_at(tables.rolling, at + 2, share) * rolling.spin * wide)
+    return (scale * first * scale_at(tables.rolling, at, share) * patch.creepage_x,
+            scale * second * scale_at(tables.rolling, at + 1, share) * patch.creepage_y,
+            scale * sqrt(area) * third * scale_at(tables.rolling, at + 2, share) * patch.spin * wide)
 
 
 def scale_at(table: RollingTable, at: int, share: float):

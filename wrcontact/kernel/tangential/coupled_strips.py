@@ -12,7 +12,7 @@ in which the second root of eq. (Z1) is integrated exactly.
 
 from math import pi, sqrt
 
-from ..layout import RollingMarch, RollingPatch, RollingStrip, Tables
+from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingStrip, Tables
 from .correction import correct_force
 from .slip_march import march_strips, open_marches, set_pushes, set_stick
 from .stick_zone import find_stick_zone
@@ -20,45 +20,43 @@ from .stiffness import find_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
 
-def solve_strips(tables: Tables, rolling: RollingPatch):
+def solve_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
-    find_stiffnesses(tables, rolling)
-    add_strips(tables, rolling)
+    find_stiffnesses(tables, rolling, patch)
+    add_strips(tables, rolling, patch)
     if not rolling.bare:
-        correct_force(tables, rolling)
-    return 0
+        correct_force(tables, patch)
 
 
-def add_strips(tables: Tables, rolling: RollingPatch):
+def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """What the strips add up to, without correction."""
     march = rolling.march
     marches = rolling.marches
-    ratio = rolling.half_length / rolling.half_width
-    plane, spinning = flexibilities(rolling)
+    ratio = patch.half_length / patch.half_width
+    plane, spinning = flexibilities(patch)
     open_marches(marches, ratio)
     stuck = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        rate = bound_rate(rolling, strip)
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
         if rate > 0.0:
-            begin_march(rolling, strip, rate, i)
+            begin_march(rolling, patch, strip, rate, i)
             find_stick_zone(march, strip.width, ratio)
             set_pushes(march, marches, i, plane, spinning, ratio)
             set_stick(tables.rolling, march, marches, i)
             stuck += 2.0 * (march.half_length - march.depth) * march.weight * strip.width
     march_strips(tables.rolling, marches)
-    finish_marches(rolling)
-    rolling.stick_share = stuck / patch_area(rolling)
-    return 0
+    finish_marches(rolling, patch)
+    patch.stick_share = stuck / patch_area(patch)
 
 
-def flexibilities(rolling: RollingPatch):
+def flexibilities(patch: Patch):
     """i1/K1 and i3/K3 [1/m] of eq. (M3)."""
     first = 0.0
     second = 0.0
     third = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
         area = strip.half_length * strip.width
         first += area
         second += area * strip.half_length
@@ -66,34 +64,32 @@ def flexibilities(rolling: RollingPatch):
     return 0.5 * pi * first / second, 0.75 * pi * second / third
 
 
-def begin_march(rolling: RollingPatch, strip: RollingStrip, rate: float, index: int):
+def begin_march(rolling: Rolling, patch: Patch, strip: RollingStrip, rate: float, index: int):
     """Creepages and stiffnesses of a strip."""
     march = rolling.march
     march.half_length = strip.half_length
     march.rate = rate
     march.slip = strip.slip
-    march.lateral = rolling.creepage_y + rolling.spin * strip.x
-    march.spin = rolling.spin
+    march.lateral = patch.creepage_y + patch.spin * strip.x
+    march.spin = patch.spin
     along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
     march.along = along
     march.across = across
     march.turning = turning
-    return 0
 
 
-def finish_marches(rolling: RollingPatch):
+def finish_marches(rolling: Rolling, patch: Patch):
     """Add the strips' forces, eqs. (T1), (T2), and find the largest traction."""
     marches = rolling.marches
     largest = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        unit = bound_rate(rolling, strip) * strip.half_length
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        unit = bound_rate(patch, strip) * strip.half_length
         square = marches.largest[i] * unit * unit
         if square > largest:
             largest = square
         if unit > 0.0:
             unit *= point_weight(strip)
-            add_strip(rolling, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],
+            add_strip(patch, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],
                       unit * strip.half_length * marches.sum_moment[i])
-    rolling.max_shear = sqrt(largest)
-    return 0
+    patch.max_shear = sqrt(largest)

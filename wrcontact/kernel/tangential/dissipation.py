@@ -9,32 +9,31 @@ almost everywhere.  In one of some thousand cases, with spin on long patches, th
 negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
 """
 
-from ..layout import RollingPatch
+from ..layout import ROLLING_STRIP_LIMIT, Patch
 
 
-def keep_dissipating(rolling: RollingPatch):
+def keep_dissipating(patch: Patch):
     """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has."""
-    gain = (rolling.creepage_x * rolling.force_x + rolling.creepage_y * rolling.force_y
-            + rolling.spin * rolling.moment + bent_gain(rolling))
-    if gain > 0.0 and rolling.spin != 0.0:
-        reach = rolling.half_length
-        if reach < rolling.half_width:
-            reach = rolling.half_width
-        most = rolling.friction * rolling.load * reach
-        moment = rolling.moment - gain / rolling.spin
+    gain = creep_gain(patch)
+    if gain > 0.0 and patch.spin != 0.0:
+        reach = patch.half_length
+        if reach < patch.half_width:
+            reach = patch.half_width
+        most = patch.friction * patch.totals.load * reach
+        moment = patch.creep_moment - gain / patch.spin
         if moment > most:
             moment = most
         if moment < -most:
             moment = -most
-        rolling.moment = moment
-    return 0
+        patch.creep_moment = moment
 
 
-def bent_gain(rolling: RollingPatch):
-    """The sum of eq. (W1), which is zero in a plane patch."""
-    gain = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        plane = rolling.creepage_x - rolling.spin * strip.y
+def creep_gain(patch: Patch):
+    """-P of eq. (W1) [N].  The sum over the strips is zero in a plane patch."""
+    gain = (patch.creepage_x * patch.creep_x + patch.creepage_y * patch.creep_y
+            + patch.spin * patch.creep_moment)
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        plane = patch.creepage_x - patch.spin * strip.y
         gain += (strip.slip - plane) * strip.force_x * strip.width
     return gain

@@ -16,55 +16,53 @@ The force is not continuous: strips begin to slip all over while their stick zon
 
 from math import pi, sqrt
 
-from ..layout import POINT_LIMIT, RollingMarch, RollingPatch, RollingStrip, RollingTable, Tables
+from ..layout import (POINT_LIMIT, ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip,
+                      RollingTable, Tables)
 from .fastsim import stiffnesses, strip_push
 from .shapes import kalker_coefficients
 from .tractions import add_strip, bound_rate, cut_to, patch_area, point_weight
 
 
-def solve_fastrip(tables: Tables, rolling: RollingPatch):
+def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
     march = rolling.march
-    along, across, turning = stiffnesses(tables, rolling)
-    set_stiffnesses(tables, rolling)
+    along, across, turning = stiffnesses(tables, patch)
+    set_stiffnesses(tables, patch, march)
     march.largest = 0.0
     stuck = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        rate = bound_rate(rolling, strip)
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
         if rate > 0.0:
             march.half_length = strip.half_length
             march.rate = rate
-            lateral = rolling.creepage_y + rolling.spin * strip.x
-            find_stick(march, longitudinal(tables, rolling, strip), lateral, rolling.spin)
-            march.push_x = strip_push(rolling, strip, along, turning)
-            march.push_y = rolling.creepage_y * across + rolling.spin * strip.x * turning
-            march.push_turn = rolling.spin * turning
-            add_tractions(tables.rolling, rolling, strip)
+            lateral = patch.creepage_y + patch.spin * strip.x
+            find_stick(march, longitudinal(tables, rolling, patch, strip), lateral, patch.spin)
+            march.push_x = strip_push(rolling, patch, strip, along, turning)
+            march.push_y = patch.creepage_y * across + patch.spin * strip.x * turning
+            march.push_turn = patch.spin * turning
+            add_tractions(tables.rolling, patch, march, strip)
             stuck += 2.0 * (march.half_length - march.depth) * strip.width
-    rolling.max_shear = sqrt(march.largest)
-    rolling.stick_share = stuck / patch_area(rolling)
-    return 0
+    patch.max_shear = sqrt(march.largest)
+    patch.stick_share = stuck / patch_area(patch)
 
 
-def set_stiffnesses(tables: Tables, rolling: RollingPatch):
+def set_stiffnesses(tables: Tables, patch: Patch, march: RollingMarch):
     """K1, K2, K3 of all strips; eq. (A1)."""
-    march = rolling.march
-    ratio = rolling.half_length / rolling.half_width
+    ratio = patch.half_length / patch.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
     modulus = tables.shear_modulus
     march.along = 2.0 * first * modulus / (pi * pi)
     march.across = 2.0 * second * modulus / (pi * pi)
     march.turning = 1.5 * third * modulus / (pi * sqrt(ratio))
-    return 0
 
 
-def longitudinal(tables: Tables, rolling: RollingPatch, strip: RollingStrip):
+def longitudinal(tables: Tables, rolling: Rolling, patch: Patch, strip: RollingStrip):
     """K1 w_x of a strip [Pa]."""
     march = rolling.march
     push = march.along * strip.slip
     if rolling.published:
-        push = (march.along * rolling.creepage_x + march.turning * (strip.slip - rolling.creepage_x)
+        push = (march.along * patch.creepage_x + march.turning * (strip.slip - patch.creepage_x)
                 / (1.0 - tables.parameters.poisson_ratio))
     return push
 
@@ -96,12 +94,10 @@ def find_stick(march: RollingMarch, push: float, lateral: float, spin: float):
         march.stick_x = u / (depth + 1e-300)
         march.stick_y = v / (depth + 1e-300) + k
     march.edge = 2.0 * march.depth - march.half_length
-    return 0
 
 
-def add_tractions(table: RollingTable, rolling: RollingPatch, strip: RollingStrip):
+def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip: RollingStrip):
     """Add a strip's force from its tractions at the points."""
-    march = rolling.march
     a = march.half_length
     march.x = a
     march.first_x = 0.0
@@ -120,8 +116,7 @@ def add_tractions(table: RollingTable, rolling: RollingPatch, strip: RollingStri
         march.sum_y += table.sines[q] * p_y
         march.sum_moment += table.sines[q] * x * p_y
     weight = point_weight(strip)
-    add_strip(rolling, strip, weight * march.sum_x, weight * march.sum_y, weight * march.sum_moment)
-    return 0
+    add_strip(patch, strip, weight * march.sum_x, weight * march.sum_y, weight * march.sum_moment)
 
 
 def next_traction(march: RollingMarch, x: float, bound: float):

@@ -15,51 +15,50 @@ slip: up to 10 degrees.
 
 from math import pi, sqrt
 
-from ..layout import POINT_LIMIT, RollingPatch, RollingStrip, RollingTable, Tables
+from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, Patch, Rolling, RollingStrip, RollingTable, Tables
 from .shapes import kalker_coefficients
 from .tractions import add_strip, bound_rate, cut_to, patch_area, point_weight
 
 
-def solve_fastsim(tables: Tables, rolling: RollingPatch):
+def solve_fastsim(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
-    along, across, turning = stiffnesses(tables, rolling)
+    along, across, turning = stiffnesses(tables, patch)
     stuck = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        rate = bound_rate(rolling, strip)
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
         if rate > 0.0:
-            push = strip_push(rolling, strip, along, turning)
-            stuck += march_strip(tables.rolling, rolling, strip, rate, push, across, turning)
-    area = patch_area(rolling)
+            push = strip_push(rolling, patch, strip, along, turning)
+            stuck += march_strip(tables.rolling, patch, strip, rate, push, across, turning)
+    area = patch_area(patch)
     if area > 0.0:
-        rolling.stick_share = stuck / area
-    return 0
+        patch.stick_share = stuck / area
 
 
-def stiffnesses(tables: Tables, rolling: RollingPatch):
+def stiffnesses(tables: Tables, patch: Patch):
     """1/L1, 1/L2, 1/L3 [Pa/m]; eq. (F2)."""
-    a = rolling.half_length
-    ratio = a / rolling.half_width
+    a = patch.half_length
+    ratio = a / patch.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
     modulus = tables.shear_modulus
     return (3.0 * first * modulus / (8.0 * a), 3.0 * second * modulus / (8.0 * a),
             4.0 * third * modulus / (pi * a * sqrt(ratio)))
 
 
-def strip_push(rolling: RollingPatch, strip: RollingStrip, along: float, turning: float):
+def strip_push(rolling: Rolling, patch: Patch, strip: RollingStrip, along: float, turning: float):
     """dp_x/dx of a strip [Pa/m]; eq. (F1)."""
     push = strip.slip * along
     if rolling.published:
-        push = rolling.creepage_x * along + (strip.slip - rolling.creepage_x) * turning
+        push = patch.creepage_x * along + (strip.slip - patch.creepage_x) * turning
     return push
 
 
-def march_strip(table: RollingTable, rolling: RollingPatch, strip: RollingStrip, rate: float, push: float,
+def march_strip(table: RollingTable, patch: Patch, strip: RollingStrip, rate: float, push: float,
                 across: float, turning: float):
     """Add a strip's force from its tractions; the area that sticks [m^2]."""
     a = strip.half_length
-    lateral = (rolling.creepage_y) * across + rolling.spin * strip.x * turning
-    turn = rolling.spin * turning
+    lateral = patch.creepage_y * across + patch.spin * strip.x * turning
+    turn = patch.spin * turning
     before = a
     p_x = 0.0
     p_y = 0.0
@@ -68,7 +67,7 @@ def march_strip(table: RollingTable, rolling: RollingPatch, strip: RollingStrip,
     moment = 0.0
     stuck = 0.0
     total = 0.0
-    largest = rolling.max_shear * rolling.max_shear
+    largest = patch.max_shear * patch.max_shear
     for q in range(POINT_LIMIT):
         x = a * table.cosines[q]
         weight = table.sines[q]
@@ -86,7 +85,7 @@ def march_strip(table: RollingTable, rolling: RollingPatch, strip: RollingStrip,
         force_y += weight * p_y
         moment += weight * x * p_y
         before = x
-    rolling.max_shear = sqrt(largest)
+    patch.max_shear = sqrt(largest)
     weight = point_weight(strip)
-    add_strip(rolling, strip, weight * force_x, weight * force_y, weight * moment)
+    add_strip(patch, strip, weight * force_x, weight * force_y, weight * moment)
     return 2.0 * a * strip.width * stuck / total

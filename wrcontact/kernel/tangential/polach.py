@@ -22,45 +22,44 @@ zone.  For small creepages it is Kalker's linear theory: K = -(2/3) e_s.
 from math import atan, exp, fabs, pi, sqrt
 from typing import Final
 
-from ..layout import RollingPatch, Tables
+from ..layout import Patch, Tables
 from .shapes import kalker_coefficients
 
 #: Creepages below this have no force: no direction could be told.
 SMALLEST: Final[float] = 1e-150
 
 
-def solve_polach(tables: Tables, rolling: RollingPatch):
+def solve_polach(tables: Tables, patch: Patch):
     """Force and largest traction of a patch."""
-    a = rolling.half_length
-    slip = sqrt(rolling.creepage_x * rolling.creepage_x + rolling.creepage_y * rolling.creepage_y)
-    across = rolling.creepage_y + rolling.spin * a
-    if fabs(across) < fabs(rolling.creepage_y):
-        across = rolling.creepage_y
-    whole = sqrt(rolling.creepage_x * rolling.creepage_x + across * across)
+    a = patch.half_length
+    slip = sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
+    across = patch.creepage_y + patch.spin * a
+    if fabs(across) < fabs(patch.creepage_y):
+        across = patch.creepage_y
+    whole = sqrt(patch.creepage_x * patch.creepage_x + across * across)
     if whole > SMALLEST:
-        first, second, third = kalker_coefficients(tables.rolling, a / rolling.half_width)
+        first, second, third = kalker_coefficients(tables.rolling, a / patch.half_width)
         if slip > SMALLEST:
-            push = creep_force(tables.shear_modulus, rolling, mean_coefficient(rolling, first, second, slip),
+            push = creep_force(tables.shear_modulus, patch, mean_coefficient(patch, first, second, slip),
                                whole) / whole
-            rolling.force_x = -push * rolling.creepage_x
-            rolling.force_y = -push * rolling.creepage_y
-        rolling.force_y += spin_force(tables.shear_modulus, rolling, third, whole)
-        cut_force(rolling)
-        rolling.max_shear = largest_shear(rolling)
-    return 0
+            patch.creep_x = -push * patch.creepage_x
+            patch.creep_y = -push * patch.creepage_y
+        patch.creep_y += spin_force(tables.shear_modulus, patch, third, whole)
+        cut_force(patch)
+        patch.max_shear = largest_shear(patch)
 
 
-def mean_coefficient(rolling: RollingPatch, first: float, second: float, slip: float):
+def mean_coefficient(patch: Patch, first: float, second: float, slip: float):
     """Kalker's coefficient in the direction of the slip."""
-    along = first * (rolling.creepage_x / slip)
-    across = second * (rolling.creepage_y / slip)
+    along = first * (patch.creepage_x / slip)
+    across = second * (patch.creepage_y / slip)
     return sqrt(along * along + across * across)
 
 
-def creep_force(shear_modulus: float, rolling: RollingPatch, coefficient: float, whole: float):
+def creep_force(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
     """Magnitude of the force [N] of a slip ``whole``; eqs. (P1), (P2)."""
-    bound = rolling.friction * rolling.load
-    e = 0.25 * pi * rolling.half_length * rolling.half_width * shear_modulus * coefficient * whole / bound
+    bound = patch.friction * patch.totals.load
+    e = 0.25 * pi * patch.half_length * patch.half_width * shear_modulus * coefficient * whole / bound
     share = atan(e)
     if e < 1.0:
         share += e / (1.0 + e * e)
@@ -69,14 +68,14 @@ def creep_force(shear_modulus: float, rolling: RollingPatch, coefficient: float,
     return 2.0 / pi * bound * share
 
 
-def spin_force(shear_modulus: float, rolling: RollingPatch, coefficient: float, whole: float):
+def spin_force(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
     """Lateral force [N] of spin; eqs. (P3) to (P5)."""
-    a = rolling.half_length
-    b = rolling.half_width
-    bound = rolling.friction * rolling.load
+    a = patch.half_length
+    b = patch.half_width
+    bound = patch.friction * patch.totals.load
     wide = 1.0 + 6.3 * (1.0 - exp(-a / b))
     e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide)
-    return 9.0 / 16.0 * a * bound * wide * spin_share(e) * (rolling.spin / whole)
+    return 9.0 / 16.0 * a * bound * wide * spin_share(e) * (patch.spin / whole)
 
 
 def spin_share(e: float):
@@ -87,17 +86,16 @@ def spin_share(e: float):
     return 0.5 * e * c * c * (1.0 - 2.0 / 3.0 * c) - root * root * root / 3.0
 
 
-def cut_force(rolling: RollingPatch):
+def cut_force(patch: Patch):
     """Let the force not exceed that of full slip."""
-    bound = rolling.friction * rolling.load
-    force = sqrt(rolling.force_x * rolling.force_x + rolling.force_y * rolling.force_y)
+    bound = patch.friction * patch.totals.load
+    force = sqrt(patch.creep_x * patch.creep_x + patch.creep_y * patch.creep_y)
     if force > bound:
-        rolling.force_x *= bound / force
-        rolling.force_y *= bound / force
-    return 0
+        patch.creep_x *= bound / force
+        patch.creep_y *= bound / force
 
 
-def largest_shear(rolling: RollingPatch):
+def largest_shear(patch: Patch):
     """The largest traction [Pa] where tractions are spread like the pressure of the ellipse."""
-    force = sqrt(rolling.force_x * rolling.force_x + rolling.force_y * rolling.force_y)
-    return 1.5 * force / (pi * rolling.half_length * rolling.half_width)
+    force = sqrt(patch.creep_x * patch.creep_x + patch.creep_y * patch.creep_y)
+    return 1.5 * force / (pi * patch.half_length * patch.half_width)

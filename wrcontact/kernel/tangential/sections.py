@@ -1,4 +1,4 @@
-"""From a solved patch to the strips that roll: the patch cut along the rolling direction.
+"""The strips of a patch that roll: the patch cut along the rolling direction.
 
 The cuts are closer together near both ends of the patch, like Gauss-Chebyshev points:
 
@@ -15,15 +15,7 @@ wheel's strips lie on a slanted line through it.
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import (
-    ROLLING_STRIP_LIMIT,
-    RULE_ELLIPSE,
-    PatchTotals,
-    RollingPatch,
-    SolvedPatch,
-    SolvedPatches,
-    SolvedStrips,
-)
+from ..layout import ROLLING_STRIP_LIMIT, RULE_ELLIPSE, Patch, SolvedStrips
 
 #: cos(pi / 16), for ROLLING_STRIP_LIMIT strips.
 COSINE: Final[float] = 0.98078528040323044913
@@ -32,50 +24,61 @@ SHORTEST: Final[float] = 0.05
 LONGEST: Final[float] = 40.0
 
 
-def cut_patch(solved: SolvedPatches, index: int, rolling: RollingPatch):
-    """Cut the solved patch ``index`` into the strips of ``rolling``, and describe it there; creepages and
+def cut_patch(patch: Patch, strips: SolvedStrips):
+    """Cut a patch, which lies on ``strips`` of its normal model, along the rolling direction; creepages and
     friction stay."""
-    patch = solved.patches[index]
     totals = patch.totals
-    rolling.load = totals.load
-    describe_ellipse(totals, rolling)
-    lay_strips(rolling, totals.start, totals.stop)
+    describe_ellipse(patch)
+    lay_strips(patch, totals.start, totals.stop)
     if totals.width > 0.0:
         if patch.rule == RULE_ELLIPSE:
-            cut_ellipse(totals, rolling)
+            cut_ellipse(patch)
         else:
-            cut_strips(patch, solved.strips, rolling)
-    finish_strips(rolling, totals.centroid, patch.slant)
-    plane_slips(rolling)
-    return 0
+            cut_strips(patch, strips)
+    finish_strips(patch)
+    plane_slips(patch)
+    clear_creep(patch)
 
 
-def describe_ellipse(totals: PatchTotals, rolling: RollingPatch):
+def clear_creep(patch: Patch):
+    """No creep force."""
+    patch.creep_x = 0.0
+    patch.creep_y = 0.0
+    patch.creep_moment = 0.0
+    patch.stick_share = 0.0
+    patch.max_shear = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        strip.force_x = 0.0
+        strip.force_y = 0.0
+        strip.moment = 0.0
+
+
+def describe_ellipse(patch: Patch):
     """Semi-axes of the ellipse with the patch's area and length over width."""
-    rolling.half_length = 0.0
-    rolling.half_width = 0.0
+    totals = patch.totals
+    patch.half_length = 0.0
+    patch.half_width = 0.0
     if totals.width > 0.0 and totals.max_half_length > 0.0:
         ratio = 2.0 * totals.max_half_length / totals.width
         if ratio < SHORTEST:
             ratio = SHORTEST
         if ratio > LONGEST:
             ratio = LONGEST
-        rolling.half_length = sqrt(totals.area / pi * ratio)
-        rolling.half_width = sqrt(totals.area / pi / ratio)
-    return 0
+        patch.half_length = sqrt(totals.area / pi * ratio)
+        patch.half_width = sqrt(totals.area / pi / ratio)
 
 
-def lay_strips(rolling: RollingPatch, start: float, stop: float):
+def lay_strips(patch: Patch, start: float, stop: float):
     """Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
     cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t)."""
-    rolling.count = ROLLING_STRIP_LIMIT
     middle = 0.5 * (start + stop)
     half = 0.5 * (stop - start)
     before = COSINE
     here = 1.0
     edge = start
     for i in range(ROLLING_STRIP_LIMIT):
-        strip = rolling.strips[i]
+        strip = patch.strips[i]
         after = 2.0 * COSINE * here - before
         before = here
         here = after
@@ -88,27 +91,24 @@ def lay_strips(rolling: RollingPatch, start: float, stop: float):
         strip.width = edge - strip.start
         strip.half_length = 0.0
         strip.line_load = 0.0
-        strip.force_x = 0.0
-        strip.force_y = 0.0
-    return 0
 
 
-def cut_ellipse(totals: PatchTotals, rolling: RollingPatch):
+def cut_ellipse(patch: Patch):
     """Integrals over each strip of a^2 and of a shape of the line load, 1 - (s/b)^2, into its half-length
     and its line load; the ellipse is around station zero."""
+    totals = patch.totals
     square = totals.max_half_length * totals.max_half_length
     third = 1.0 / (3.0 * totals.stop * totals.stop)
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
         low = strip.start
         high = strip.stop
         share = strip.width * (1.0 - third * (low * low + low * high + high * high))
         strip.half_length = square * share
         strip.line_load = share
-    return 0
 
 
-def cut_strips(patch: SolvedPatch, strips: SolvedStrips, rolling: RollingPatch):
+def cut_strips(patch: Patch, strips: SolvedStrips):
     """Integrals over each strip of a^2 and of the line load, into its half-length and its line load, from the
     patch's strips in the normal model."""
     low = patch.totals.start
@@ -120,16 +120,15 @@ def cut_strips(patch: SolvedPatch, strips: SolvedStrips, rolling: RollingPatch):
         inside = node.station > low and node.station < patch.totals.stop
         loaded = node.half_length_square > 0.0 and node.line_load > 0.0
         if inside and loaded and node.width > 0.0:
-            at = add_piece(rolling, at, low, low_square, low_load, node.station, node.half_length_square,
+            at = add_piece(patch, at, low, low_square, low_load, node.station, node.half_length_square,
                            node.line_load)
             low = node.station
             low_square = node.half_length_square
             low_load = node.line_load
-    add_piece(rolling, at, low, low_square, low_load, patch.totals.stop, 0.0, 0.0)
-    return 0
+    add_piece(patch, at, low, low_square, low_load, patch.totals.stop, 0.0, 0.0)
 
 
-def add_piece(rolling: RollingPatch, at: int, low: float, low_square: float, low_load: float, high: float,
+def add_piece(patch: Patch, at: int, low: float, low_square: float, low_load: float, high: float,
               high_square: float, high_load: float):
     """Add a piece between two stations [m], over which a^2 and the line load follow straight lines, to the
     strips from ``at`` on; the strip in which it ends."""
@@ -138,9 +137,9 @@ def add_piece(rolling: RollingPatch, at: int, low: float, low_square: float, low
     load_slope = (high_load - low_load) / width
     start = low
     while start < high:
-        strip = rolling.strips[at]
+        strip = patch.strips[at]
         stop = high
-        if strip.stop < high and at < rolling.count - 1:
+        if strip.stop < high and at < ROLLING_STRIP_LIMIT - 1:
             stop = strip.stop
         middle = 0.5 * (start + stop) - low
         strip.half_length += (stop - start) * (low_square + square_slope * middle)
@@ -151,28 +150,25 @@ def add_piece(rolling: RollingPatch, at: int, low: float, low_square: float, low
     return at
 
 
-def finish_strips(rolling: RollingPatch, centroid: float, slant: float):
-    """Half-lengths and line loads from their integrals, and places from the centre of load at the station
-    ``centroid`` [m]."""
+def finish_strips(patch: Patch):
+    """Half-lengths and line loads from their integrals, and places from the centre of load."""
     carried = 0.0
-    for i in range(rolling.count):
-        carried += rolling.strips[i].line_load
+    for i in range(ROLLING_STRIP_LIMIT):
+        carried += patch.strips[i].line_load
     scale = 0.0
     if carried > 0.0:
-        scale = rolling.load / carried
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        strip.y = strip.station - centroid
-        strip.x = slant * strip.y
+        scale = patch.totals.load / carried
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        strip.y = strip.station - patch.totals.centroid
+        strip.x = patch.slant * strip.y
         if strip.width > 0.0:
             strip.half_length = sqrt(strip.half_length / strip.width)
             strip.line_load *= scale / strip.width
-    return 0
 
 
-def plane_slips(rolling: RollingPatch):
+def plane_slips(patch: Patch):
     """Longitudinal creepage of each strip where the patch is plane and all of it turns at one rate."""
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
-        strip.slip = rolling.creepage_x - rolling.spin * strip.y
-    return 0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        strip.slip = patch.creepage_x - patch.spin * strip.y

@@ -2,13 +2,7 @@
 
 from math import log
 
-from ..layout import (
-    SHAPE_CELLS,
-    SHAPE_PER_UNIT,
-    SHAPE_ROW,
-    SHAPE_START,
-    RollingTable,
-)
+from ..layout import SHAPE_CELLS, SHAPE_PER_UNIT, SHAPE_ROW, SHAPE_START, RollingTable
 from ..surface.table_cell import table_cell
 
 

@@ -70,7 +70,6 @@ def open_marches(marches: RollingMarches, ratio: float):
         marches.at_point[q] = -1.0
     square = ratio / SHARE_RATIO * (ratio / SHARE_RATIO)
     marches.share = SHARE / (1.0 + square * square)
-    return 0
 
 
 def set_pushes(march: RollingMarch, marches: RollingMarches, number: int, plane: float, spinning: float,
@@ -103,7 +102,6 @@ def set_pushes(march: RollingMarch, marches: RollingMarches, number: int, plane:
     marches.centre_x[number] = along * centre
     marches.centre_y[number] = across * centre
     marches.centre_turn[number] = turning * centre
-    return 0
 
 
 def set_stick(table: RollingTable, march: RollingMarch, marches: RollingMarches, number: int):
@@ -136,7 +134,6 @@ def set_stick(table: RollingTable, march: RollingMarch, marches: RollingMarches,
         if q < POINT_LIMIT:
             marches.next[number] = marches.at_point[q]
             marches.at_point[q] = float(number)
-    return 0
 
 
 def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches, number: int, last: int):
@@ -155,7 +152,6 @@ def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches
             marches.sum_x[number] += weight * (cut_x - p_x)
             marches.sum_y[number] += weight * (cut_y - p_y)
             marches.sum_moment[number] += weight * table.cosines[q] * (cut_y - p_y)
-    return 0
 
 
 def march_strips(table: RollingTable, marches: RollingMarches):
@@ -171,23 +167,22 @@ def march_strips(table: RollingTable, marches: RollingMarches):
             reach_edge(marches, strip, before, x, bound)
             strip = int(marches.next[strip])
         march_first(marches, x, bound, before - x)
-        if slipping == 1:
+        if slipping:
             march_second(marches, x, bound, before - x)
         strip = first
         while strip >= 0:
             leave_edge(marches, strip, x, bound)
-            slipping = 1
+            slipping = True
             strip = int(marches.next[strip])
         before = x
-    return 0
 
 
-def has_slip(marches: RollingMarches):
-    """1 if slip counts in some strip at its leading edge, else 0."""
-    found = 0
+def has_slip(marches: RollingMarches) -> bool:
+    """Whether slip counts in some strip at its leading edge."""
+    found = False
     for i in range(ROLLING_STRIP_LIMIT):
         if marches.slips[i] > 0.0:
-            found = 1
+            found = True
     return found
 
 
@@ -204,7 +199,6 @@ def march_first(marches: RollingMarches, x: float, bound: float, step: float):
         cut = bound / sqrt(square)
         marches.first_x[i] = cut * along
         marches.first_y[i] = cut * across
-    return 0
 
 
 def march_second(marches: RollingMarches, x: float, bound: float, step: float):
@@ -238,7 +232,6 @@ def march_second(marches: RollingMarches, x: float, bound: float, step: float):
         across *= scale
         marches.sum_y[i] += across
         marches.sum_moment[i] += x * across
-    return 0
 
 
 def reach_edge(marches: RollingMarches, i: int, before: float, x: float, bound: float):
@@ -265,7 +258,6 @@ def reach_edge(marches: RollingMarches, i: int, before: float, x: float, bound: 
     marches.sum_x[i] += weight * marches.stick_x[i]
     marches.sum_y[i] += weight * marches.stick_y[i]
     marches.sum_moment[i] += weight * x * marches.stick_y[i]
-    return 0
 
 
 def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
@@ -296,7 +288,6 @@ def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
                  p_y + weight * marches.stick_y[i] + slip_y)
     marches.slips[i] = 1.0
     marches.noted[i] = 1.0
-    return 0
 
 
 def stepped(marches: RollingMarches, i: int, p_x: float, p_y: float, x: float, step: float):
@@ -319,7 +310,6 @@ def note_largest(marches: RollingMarches, i: int, p_x: float, p_y: float):
     square = p_x * p_x + p_y * p_y
     if square > marches.largest[i]:
         marches.largest[i] = square
-    return 0
 
 
 def sqrt_of(value: float):

@@ -69,7 +69,6 @@ def find_stick_zone(march: RollingMarch, width: float, ratio: float):
         march.stick_y = v / (depth + NOTHING) + k
         march.weight = weight * smooth_step((1.0 - depth / a) / FADE) * edge_weight(march)
     march.edge = 2.0 * march.depth - a
-    return 0
 
 
 def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):

@@ -22,18 +22,8 @@ would be dragged the other way round by their neighbours, which errs more.
 from math import fabs, log, sqrt
 from typing import Final
 
-from ..layout import (
-    BLOCK_COUNT,
-    REACH_CELLS,
-    REACH_PER_UNIT,
-    REACH_ROW,
-    BlockMatrix,
-    RollingBlock,
-    RollingBlocks,
-    RollingPatch,
-    RollingTable,
-    Tables,
-)
+from ..layout import (BLOCK_COUNT, REACH_CELLS, REACH_PER_UNIT, REACH_ROW, BlockMatrix, Patch, Rolling,
+                      RollingBlock, RollingBlocks, RollingTable, Tables)
 from .shapes import shape_place, shape_value
 
 #: Pairs of strips are at least as long as this share of the ellipse.
@@ -47,15 +37,15 @@ OWN_UNTIL: Final[float] = 0.405465108108164381978      # ln 1.5
 MEAN_FROM: Final[float] = 1.098612288668109691395      # ln 3
 
 
-def find_stiffnesses(tables: Tables, rolling: RollingPatch):
+def find_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
     """K1, K2, K3 of the blocks of a patch, eqs. (K1) to (K3)."""
     blocks = rolling.blocks
-    join_strips(rolling)
+    join_strips(rolling, patch)
     fill_equations(tables.rolling, rolling)
     solve_blocks(rolling.equations_x)
     solve_blocks(rolling.equations_y)
     solve_blocks(rolling.equations_spin)
-    ratio = rolling.half_length / rolling.half_width
+    ratio = patch.half_length / patch.half_width
     place = shape_place(ratio)
     half = 0.5 * tables.shear_modulus
     along = shape_value(tables.rolling, 3, place) * half / (1.0 - tables.parameters.poisson_ratio)
@@ -67,25 +57,23 @@ def find_stiffnesses(tables: Tables, rolling: RollingPatch):
         block.across = across * rolling.equations_y[i][BLOCK_COUNT]
         block.turning = turning * rolling.equations_spin[i][BLOCK_COUNT] / block.half_length
     spread_turning(blocks, mean_share(ratio))
-    return 0
 
 
-def join_strips(rolling: RollingPatch):
+def join_strips(rolling: Rolling, patch: Patch):
     """The blocks from pairs of strips: edges, and the mean of a^2."""
     for i in range(BLOCK_COUNT):
         block = rolling.blocks[i]
-        low = rolling.strips[2 * i]
-        high = rolling.strips[2 * i + 1]
+        low = patch.strips[2 * i]
+        high = patch.strips[2 * i + 1]
         block.start = low.start
         block.stop = high.stop
         square = (low.half_length * low.half_length * low.width
                   + high.half_length * high.half_length * high.width) / (block.stop - block.start)
-        least = SHORT * rolling.half_length
+        least = SHORT * patch.half_length
         block.half_length = sqrt(square + least * least)
-    return 0
 
 
-def fill_equations(table: RollingTable, rolling: RollingPatch):
+def fill_equations(table: RollingTable, rolling: Rolling):
     """Phi of eq. (K2), and the right-hand sides of unit creepages."""
     for i in range(BLOCK_COUNT):
         block = rolling.blocks[i]
@@ -107,10 +95,9 @@ def fill_equations(table: RollingTable, rolling: RollingPatch):
             reach_beside(table, rolling, i, j, (other.start - middle) * scale, (other.stop - middle) * scale)
             middle = 0.5 * (other.start + other.stop)
             reach_beside(table, rolling, j, i, (middle - block.stop) * scale, (middle - block.start) * scale)
-    return 0
 
 
-def reach_beside(table: RollingTable, rolling: RollingPatch, i: int, j: int, near: float, far: float):
+def reach_beside(table: RollingTable, rolling: Rolling, i: int, j: int, near: float, far: float):
     """Phi of block ``i`` and another one ``j``, whose edges are ``near`` and ``far`` from its middle."""
     near_x, near_y, near_spin = reaches(table, near)
     far_x, far_y, far_spin = reaches(table, far)
@@ -120,7 +107,6 @@ def reach_beside(table: RollingTable, rolling: RollingPatch, i: int, j: int, nea
     along[j] = far_x - near_x
     across[j] = far_y - near_y
     turning[j] = far_spin - near_spin
-    return 0
 
 
 def reaches(table: RollingTable, distance: float):
@@ -159,7 +145,6 @@ def solve_blocks(equations: BlockMatrix):
             known = equations[j]
             value -= pivot[j] * known[BLOCK_COUNT]
         pivot[BLOCK_COUNT] = value / pivot[k]
-    return 0
 
 
 def mean_share(ratio: float):
@@ -191,7 +176,6 @@ def spread_turning(blocks: RollingBlocks, share: float):
         block.turning = not_below(block.turning, SOFT * mean / total)
         block.along = not_below(block.along, SOFT * along / total)
         block.across = not_below(block.across, SOFT * across / total)
-    return 0
 
 
 def not_below(value: float, least: float):

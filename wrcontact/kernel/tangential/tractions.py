@@ -8,7 +8,7 @@ the coefficient of friction times the pressure on the strip's middle over its ha
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import RollingPatch, RollingStrip
+from ..layout import ROLLING_STRIP_LIMIT, Patch, RollingStrip
 
 #: Weight of a point, over a sin(...).
 WEIGHT: Final[float] = 0.18479956785822313167        # pi / (POINT_LIMIT + 1)
@@ -16,12 +16,12 @@ WEIGHT: Final[float] = 0.18479956785822313167        # pi / (POINT_LIMIT + 1)
 SLIGHT: Final[float] = 1e-12
 
 
-def bound_rate(rolling: RollingPatch, strip: RollingStrip):
+def bound_rate(patch: Patch, strip: RollingStrip):
     """m of a strip [Pa/m]: its bound on traction is m sqrt(a^2 - x^2); 0 where the strip carries nothing."""
     a = strip.half_length
     rate = 0.0
-    if strip.line_load * rolling.half_width > SLIGHT * rolling.load and a > SLIGHT * rolling.half_length:
-        rate = rolling.friction * 2.0 * strip.line_load / (pi * a * a)
+    if strip.line_load * patch.half_width > SLIGHT * patch.totals.load and a > SLIGHT * patch.half_length:
+        rate = patch.friction * 2.0 * strip.line_load / (pi * a * a)
     return rate
 
 
@@ -35,23 +35,22 @@ def cut_to(along: float, across: float, bound: float):
     return along, across
 
 
-def add_strip(rolling: RollingPatch, strip: RollingStrip, along: float, across: float, moment: float):
+def add_strip(patch: Patch, strip: RollingStrip, along: float, across: float, moment: float):
     """Add a strip's force per width [N/m] to the patch's force; ``moment`` is that of the lateral force about
     the strip's own middle, per width [N]."""
     strip.force_x = along
     strip.force_y = across
     strip.moment = moment + strip.x * across
-    rolling.force_x += along * strip.width
-    rolling.force_y += across * strip.width
-    rolling.moment += (moment + strip.x * across - strip.y * along) * strip.width
-    return 0
+    patch.creep_x += along * strip.width
+    patch.creep_y += across * strip.width
+    patch.creep_moment += (moment + strip.x * across - strip.y * along) * strip.width
 
 
-def patch_area(rolling: RollingPatch):
+def patch_area(patch: Patch):
     """Area of the strips [m^2]."""
     area = 0.0
-    for i in range(rolling.count):
-        strip = rolling.strips[i]
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
         area += 2.0 * strip.half_length * strip.width
     return area
 

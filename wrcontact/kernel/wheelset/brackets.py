@@ -10,19 +10,8 @@ since a region comes or goes, the roll of the jump is taken.
 from math import fabs
 from typing import Final
 
-from ..layout import (
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    ROLL_LIMIT,
-    UNLOADED,
-    VALID,
-    Bracket,
-    Outputs,
-    Regions,
-    State,
-    Tables,
-    Work,
-)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Regions, Sides, State,
+                      Tables, Work, seldom)
 from .side import load_side, press_side
 from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
 
@@ -35,6 +24,7 @@ FIRST_REACH: Final[float] = 2e-5
 DEEPER: Final[float] = 1.5
 
 
+@seldom
 def next_in_bracket(bracket: Bracket, i: int):
     """Where to look next for a root in a bracket: on the chord between both values,
     and every other time half way."""
@@ -48,6 +38,7 @@ def next_in_bracket(bracket: Bracket, i: int):
     return place
 
 
+@seldom
 def narrow_bracket(bracket: Bracket, place: float, value: float):
     """Let ``place`` be an end of the bracket: the low one if its ``value`` is positive, else the high one."""
     if value > 0.0:
@@ -56,12 +47,12 @@ def narrow_bracket(bracket: Bracket, place: float, value: float):
     else:
         bracket.high = place
         bracket.at_high = value
-    return 0
 
 
 # --- the height of one side -------------------------------------------------------------------------------
 
 
+@seldom
 def carried_load(regions: Regions, count: int):
     """What ``count`` regions carry [N], vertically where the prescribed load is vertical."""
     total = 0.0
@@ -71,9 +62,10 @@ def carried_load(regions: Regions, count: int):
     return total
 
 
+@seldom
 def height_residual(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
     """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
-    there [m]; 1 if they can carry it, else 0; and the outcome.
+    there [m]; whether they can carry it; and the outcome.
 
     The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
     at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
@@ -81,9 +73,9 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
     support = work.supports[index]
     status = balance_side(tables, work, state, index, force, height)
     residual = support.height - height
-    satisfied = 1
+    satisfied = True
     if status == NOT_CONVERGED:
-        satisfied = 0
+        satisfied = False
         approach = permitted_approach(support, work.sides[index], height)
         status = press_side(tables, work, state, index, approach)
         if status == VALID:
@@ -95,6 +87,7 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
     return residual, satisfied, status
 
 
+@seldom
 def bracket_height(tables: Tables, work: Work, state: State, index: int, force: float):
     """Find the height at which a side carries ``force`` [N] with regions and nodes as they
     are just there; the outcome.
@@ -114,7 +107,7 @@ def bracket_height(tables: Tables, work: Work, state: State, index: int, force: 
     if status > UNLOADED:
         return status
     if residual <= 0.0:
-        if satisfied == 0:
+        if not satisfied:
             status = NOT_CONVERGED
         return status
     bracket.high = height
@@ -150,22 +143,23 @@ def bracket_height(tables: Tables, work: Work, state: State, index: int, force: 
 # --- the roll ---------------------------------------------------------------------------------------------
 
 
-def flatter_side(outputs: Outputs):
-    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one
-    where they are equal."""
+@seldom
+def flatter_side(sides: Sides):
+    """The side whose wheel touches at the smaller angle; the left one where they are equal."""
     flat = 0
-    if fabs(outputs.left[1].contact_angle) < fabs(outputs.left[0].contact_angle):
+    if fabs(sides[1].point.contact_angle) < fabs(sides[0].point.contact_angle):
         flat = 1
     return flat
 
 
+@seldom
 def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
                   left: float, right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
-    how much lower the right one carries its load than the left one [m], 1 if both can carry
-    their loads, else 0, and the outcome."""
-    if turn_to(left_tables, right_tables, work, state, roll) == 0:
-        return 0.0, 0, OFF_PROFILE
+    how much lower the right one carries its load than the left one [m], whether both can carry
+    their loads, and the outcome."""
+    if not turn_to(left_tables, right_tables, work, state, roll):
+        return 0.0, False, OFF_PROFILE
     state.roll_count += 1.0
     if flat == 1:
         residual, satisfied, status = level_residual(right_tables, left_tables, work, state, 1, right, left)
@@ -175,13 +169,14 @@ def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, state: 
     return residual, satisfied, status
 
 
+@seldom
 def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, state: State, flat: int,
                    flat_force: float, steep_force: float):
     """Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
-    other one carries ``steep_force`` [N] [m], 1 if both can carry their loads, else 0, and the outcome."""
+    other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome."""
     status = bracket_height(flat_tables, work, state, flat, flat_force)
     if status > UNLOADED:
-        return 0.0, 0, status
+        return 0.0, False, status
     height = work.supports[flat].height
     residual, satisfied, outcome = height_residual(steep_tables, work, state, 1 - flat, steep_force, height)
     work.supports[1 - flat].height = height
@@ -190,6 +185,7 @@ def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, state:
     return residual, satisfied, status
 
 
+@seldom
 def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
                  left: float, right: float, flat: int):
     """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
@@ -227,17 +223,18 @@ def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
     return status
 
 
+@seldom
 def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
                  left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
     from the rigid ``roll``."""
     bracket = work.roll_bracket
-    flat = flatter_side(work.outputs)
+    flat = flatter_side(work.sides)
     status = enclose_roll(left_tables, right_tables, work, state, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     residual = 0.0
-    satisfied = 0
+    satisfied = False
     for i in range(BRACKETINGS):
         roll = next_in_bracket(bracket, i)
         residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
@@ -256,7 +253,7 @@ def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
             roll = end
             residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left,
                                                         right, flat)
-    if satisfied == 0:
+    if not satisfied:
         # or the one whose nodes can carry the force
         other = bracket.low
         if roll == bracket.low:
@@ -265,7 +262,7 @@ def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
         residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
                                                     flat)
     if status <= UNLOADED:
-        if satisfied == 0:
+        if not satisfied:
             status = NOT_CONVERGED
         status = depth_outcome(work, status)
     return roll, status

@@ -1,13 +1,19 @@
-"""Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from
-how deep it is in its rail."""
+"""Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep
+it is in its rail.
+
+With contact damping the force of a patch is multiplied by 1 + d a, with the damping d [s/m] and the speed a
+[m/s] at which wheel and rail approach each other along the patch's normal at its centre of load; it is never
+below zero.  Areas and pressures stay those of the elastic contact.
+"""
 
 from typing import Final
 
-from ..layout import OFF_PROFILE, VALID, State, Tables, Work
-from ..patch.totals import write_patches
+from ..layout import (MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch, SideSearch, State,
+                      Tables, Work, seldom)
+from ..motion.approach import approach_rate
+from ..patch.filling import total_patches
 from ..search.roll import follow_side, place_both, search_both
 from ..search.starts import nearest_start
-from .damping import damp_patches, is_damped
 from .leaning import set_reference
 from .moving import open_given_motion
 from .side import load_side, press_side, touch_side
@@ -18,18 +24,19 @@ from .trial import DEEPEST
 GRAZING: Final[float] = 1e-13
 
 
+@seldom
 def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
     place_both(left_tables, right_tables, work.inputs, work.sides, roll)
-    work.outputs.roll = roll
-    work.outputs.vertical_shift = height
-    if is_damped(right_tables) == 1:
+    work.wheelset.roll = roll
+    work.wheelset.vertical_shift = height
+    if is_damped(right_tables):
         open_given_motion(left_tables, right_tables, work)
-    if search_both(left_tables, right_tables, work.sides, state,
-                   follow_starts(left_tables, right_tables, work, state)) == 0:
+    if not search_both(left_tables, right_tables, work.sides, state,
+                   follow_starts(left_tables, right_tables, work, state)):
         return OFF_PROFILE
     status = load_at_height(left_tables, work, state, 0, height)
     outcome = load_at_height(right_tables, work, state, 1, height)
@@ -38,20 +45,22 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state
     return status
 
 
-def follow_starts(left_tables: Tables, right_tables: Tables, work: Work, state: State):
-    """1 if both smallest gaps could be followed from where they are known near the lateral shift, else 0."""
+@seldom
+def follow_starts(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+    """Whether both smallest gaps could be followed from where they are known near the lateral shift."""
     row = nearest_start(right_tables.starts, work.inputs.lateral_shift)
-    known = 0
+    known = False
     if row >= 0:
         start = right_tables.starts.rows[row]
         work.sides[0].best_y = start.left
         work.sides[1].best_y = start.right
         known = follow_side(left_tables, work.sides[0], state)
-        if known == 1:
+        if known:
             known = follow_side(right_tables, work.sides[1], state)
     return known
 
 
+@seldom
 def load_at_height(tables: Tables, work: Work, state: State, index: int, height: float):
     """The load of a side whose wheelset has the vertical shift ``height`` [m]; its
     outcome, UNLOADED if lifted."""
@@ -63,7 +72,41 @@ def load_at_height(tables: Tables, work: Work, state: State, index: int, height:
     status = press_side(tables, work, state, index, approach)
     if status == VALID:
         count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
-    if status == VALID and is_damped(tables) == 1:
-        damp_patches(tables, work.motion, work.contact.solved, index, work.supports[index].resultant)
-        write_patches(work.contact.solved, work.outputs.left[index])
+    if status == VALID and is_damped(tables):
+        damp_patches(tables, work.sides[index])
     return status
+
+
+# --- damping ----------------------------------------------------------------------------------------------
+
+
+@seldom
+def is_damped(tables: Tables) -> bool:
+    """Whether contact is damped."""
+    return tables.mode == MODE_COMPLIANT and tables.parameters.contact_damping > 0.0
+
+
+@seldom
+def damp_patches(tables: Tables, side: SideSearch):
+    """Damp the patches of a side."""
+    for number in range(side.patch_count):
+        patch = side.patches[number]
+        factor = 1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch)
+        if factor < 0.0:
+            factor = 0.0
+        damp_patch(patch, factor)
+    total_patches(side)
+
+
+@seldom
+def damp_patch(patch: Patch, factor: float):
+    """Multiply load, force and moments of a patch by ``factor``."""
+    patch.totals.load *= factor
+    patch.totals.moment *= factor
+    patch.normal_y *= factor
+    patch.normal_z *= factor
+    for i in range(3):
+        patch.normal_moment[i] *= factor
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        strip.line_load *= factor

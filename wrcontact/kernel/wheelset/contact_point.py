@@ -20,17 +20,17 @@ AT_END: Final[float] = 1e-8
 
 
 def describe_contact(tables: Tables, work: Work, state: State, index: int, y: float, aside: float,
-                     shift: float):
+                     shift: float) -> bool:
     """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
     with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
-    1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is
+    Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
     folded.
     """
     place = work.sides[index].place
     frame = work.contact.frame
     region = work.contact.regions[0]
-    out = work.outputs.left[index]
+    point = work.sides[index].point
     z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, place, y, aside, shift)
     sin_phi, cos_phi = around_wheel(place, slope)
     r = tables.radius + z
@@ -41,39 +41,34 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
         ahead = sin_phi * pitch_cos - cos_phi * pitch_sin
         cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos
         sin_phi = ahead
-    out.x_wheel = r * sin_phi
-    out.y_wheel = y
-    out.z_wheel = r * cos_phi - tables.radius
-    out.y_rail = frame.rail.y
-    out.z_rail = frame.rail.z
+    point.x_wheel = r * sin_phi
+    point.y_wheel = y
+    point.z_wheel = r * cos_phi - tables.radius
+    point.y_rail = frame.rail.y
+    point.z_rail = frame.rail.z
     y_track, z_track = on_track(place, tables.rail_y, y_track, frame.rail.z)
-    out.x_track = x_track
-    out.y_track = y_track
-    if index == 0:
-        out.y_track = -y_track
-    out.z_track = z_track
-    out.contact_angle = -atan(rail_slope)
+    point.x_track = x_track
+    point.y_track = y_track
+    point.z_track = z_track
+    point.contact_angle = -atan(rail_slope)
     if place.leaning:
-        out.contact_angle = -atan(rail_slope) - place.rail_roll
-    out.rolling_radius = r
+        point.contact_angle = -atan(rail_slope) - place.rail_roll
+    point.rolling_radius = r
     measure_contact(tables, frame, state)
     open_contact_region(tables, frame, region)
-    out.curvature_x = region.curvature
-    out.curvature_y = region.bend
+    point.curvature_x = region.curvature
+    point.curvature_y = region.bend
     if tables.lateral != LATERAL_ADAPTIVE:
-        out.curvature_y = 2.0 * relative_curvature(tables, y, frame.rail.y)
-    touches = 1
+        point.curvature_y = 2.0 * relative_curvature(tables, y, frame.rail.y)
+    touches = True
     if fabs(mismatch) >= PARALLEL:
-        if fabs(mismatch) > CORNER or is_end(tables.wheel, y) == 1:
-            touches = 0
-        if is_end(tables.rail, frame.rail.y) == 1:
-            touches = 0
+        if fabs(mismatch) > CORNER or is_end(tables.wheel, y):
+            touches = False
+        if is_end(tables.rail, frame.rail.y):
+            touches = False
     return touches
 
 
-def is_end(profile: Profile, y: float):
-    """1 if ``y`` [m] is at an end of the profile, else 0."""
-    end = 0
-    if y < profile.start + AT_END or y > profile.stop - AT_END:
-        end = 1
-    return end
+def is_end(profile: Profile, y: float) -> bool:
+    """Whether ``y`` [m] is at an end of the profile."""
+    return y < profile.start + AT_END or y > profile.stop - AT_END

@@ -18,19 +18,8 @@ from math import fabs
 from typing import Final
 
 from ..contact.touching import limited
-from ..layout import (
-    MODEL_ANALYN_STRIP,
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    ROLL_LIMIT,
-    UNLOADED,
-    VALID,
-    Broyden,
-    State,
-    Supports,
-    Tables,
-    Work,
-)
+from ..layout import (MODEL_ANALYN_STRIP, NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden,
+                      State, Supports, Tables, Work, seldom)
 from .brackets import bracket_roll
 from .side import side_lever
 from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
@@ -58,6 +47,7 @@ SINGULAR: Final[float] = 0.02
 LEAST_LEVER: Final[float] = 1e-2
 
 
+@seldom
 def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
                   left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
@@ -70,7 +60,7 @@ def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: 
     height, move = first_estimate(left_tables, right_tables, work)
     rigid_roll = roll
     roll += move
-    if turn_near(left_tables, right_tables, work, state, roll) == 0:
+    if not turn_near(left_tables, right_tables, work, state, roll):
         return roll, OFF_PROFILE
     roll, status = iterate(left_tables, right_tables, work, state, roll, height, left, right)
     work.contact.filling = True
@@ -81,6 +71,7 @@ def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: 
     return roll, status
 
 
+@seldom
 def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
     """Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
     its rail as far as estimated."""
@@ -98,6 +89,7 @@ def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
     return height, move
 
 
+@seldom
 def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float, height: float,
             left: float, right: float):
     """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
@@ -132,10 +124,10 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State,
         if trial == 0:
             begin_derivatives(method, work.supports, arm)
         update(method, work.supports, height)
-        if find_move(method, work.supports, arm) == 0:
+        if not find_move(method, work.supports, arm):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
-            if work.contact.filling and gaps_hold(left_tables, right_tables, work, state, roll) == 1:
+            if work.contact.filling and gaps_hold(left_tables, right_tables, work, state, roll):
                 for index in range(2):
                     work.supports[index].height = height + method.move_height
                 return roll + method.move_roll / arm, depth_outcome(work, status)
@@ -148,13 +140,14 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State,
         roll += method.move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
             return roll, NOT_CONVERGED
-        if turn_near(left_tables, right_tables, work, state, roll) == 0:
+        if not turn_near(left_tables, right_tables, work, state, roll):
             return roll, NOT_CONVERGED
     return roll, NOT_CONVERGED
 
 
-def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
-    """1 if both sides' known gaps are the smallest at ``roll`` [rad], else 0; then smaller ones are known.
+@seldom
+def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
+    """Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
 
     Between trials they are only followed: an answer is certified once.
     """
@@ -162,19 +155,20 @@ def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, state: Stat
     right = work.sides[1].best_y
     hold = turn_to(left_tables, right_tables, work, state, roll)
     if work.sides[0].best_y != left or work.sides[1].best_y != right:
-        hold = 0
+        hold = False
     return hold
 
 
+@seldom
 def begin_derivatives(method: Broyden, supports: Supports, arm: float):
     """The residuals' derivatives from both levers [m]."""
     method.left_height = -1.0
     method.right_height = -1.0
     method.left_roll = -supports[0].lever / arm
     method.right_roll = supports[1].lever / arm
-    return 0
 
 
+@seldom
 def update(method: Broyden, supports: Supports, height: float):
     """The residuals of a trial at ``height`` [m], and the derivatives that the last move has
     shown (Broyden 1965)."""
@@ -194,17 +188,17 @@ def update(method: Broyden, supports: Supports, height: float):
         method.left_roll += off_left * move_roll
         method.right_height += off_right * move_height
         method.right_roll += off_right * move_roll
-    return 0
 
 
-def find_move(method: Broyden, supports: Supports, arm: float):
-    """The move of height and roll that lets the residuals vanish; 1 if there is one, else 0."""
+@seldom
+def find_move(method: Broyden, supports: Supports, arm: float) -> bool:
+    """The move of height and roll that lets the residuals vanish; whether there is one."""
     determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
     if not fabs(determinant) > SINGULAR:
         begin_derivatives(method, supports, arm)
         determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
         if not fabs(determinant) > SINGULAR:
-            return 0
+            return False
     method.move_height = (method.right * method.left_roll - method.left * method.right_roll) / determinant
     method.move_roll = (method.left * method.right_height - method.right * method.left_height) / determinant
-    return 1
+    return True

@@ -12,7 +12,7 @@ are multiplied by k.
 from math import exp, fabs, sqrt
 from typing import Final
 
-from ..layout import RollingPatch, Tables
+from ..layout import ROLLING_STRIP_LIMIT, Patch, Tables
 from ..tangential.shapes import kalker_coefficients
 
 PI: Final[float] = 3.141592653589793
@@ -44,40 +44,36 @@ def flange_share(tables: Tables, angle: float):
     return share * share * (3.0 - 2.0 * share)
 
 
-def reduce_slope(tables: Tables, patch: RollingPatch):
-    """Multiply the creepages of a patch by k, where wet or dirty rails reduce the initial slope."""
+def slope_factor(tables: Tables, patch: Patch):
+    """k of a patch, by which its creepages are multiplied where wet or dirty rails reduce the initial
+    slope."""
+    factor = 1.0
     parameters = tables.parameters
     if parameters.slope_reduction != 1.0 or parameters.slope_reduction_rate > 0.0:
         initial = parameters.slope_reduction
-        limit = patch.friction * patch.load
-        factor = initial * parameters.slope_reduction_floor
-        if parameters.slope_reduction_rate == 0.0:
-            factor = initial
-        elif limit > 0.0:
+        limit = patch.friction * patch.totals.load
+        factor = initial
+        if parameters.slope_reduction_rate > 0.0 and limit > 0.0:
             across = patch.creepage_y + patch.spin * patch.half_length
             creepage = sqrt(patch.creepage_x * patch.creepage_x + across * across)
             c11, c22, c23 = kalker_coefficients(tables.rolling, patch.half_length / patch.half_width)
             epsilon = (tables.shear_modulus * PI * patch.half_length * patch.half_width * initial * c11
                        * creepage / (4.0 * limit))
+            factor = initial * parameters.slope_reduction_floor
             factor = factor + (initial - factor) / (1.0 + parameters.slope_reduction_rate * epsilon)
-        multiply_creepages(patch, factor)
-    return 0
+    return factor
 
 
-def multiply_creepages(patch: RollingPatch, factor: float):
+def multiply_creepages(patch: Patch, factor: float):
     """Multiply the creepages of a patch and of its strips by ``factor``."""
     patch.creepage_x *= factor
     patch.creepage_y *= factor
     patch.spin *= factor
-    for index in range(patch.count):
+    for index in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[index]
         strip.slip *= factor
-    return 0
 
 
-def is_frictional(friction: float, limit: float):
-    """1 if a coefficient of friction is within 0 and ``limit``, else 0."""
-    frictional = 0
-    if friction >= 0.0 and friction <= limit:
-        frictional = 1
-    return frictional
+def is_frictional(friction: float, limit: float) -> bool:
+    """Whether a coefficient of friction is within 0 and ``limit``."""
+    return friction >= 0.0 and friction <= limit

@@ -11,7 +11,7 @@ from math import fabs
 from typing import Final
 
 from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Support, Tables, Work
-from .creep_forces import has_creep_forces
+from .requested import has_creep_forces
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
@@ -37,12 +37,11 @@ def release_friction(work: Work):
         support.friction_load = 1.0
         support.load_before = 0.0
         support.share_before = 0.0
-    return 0
 
 
-def carries_friction(tables: Tables, work: Work):
-    """1 if a part of the prescribed load is carried by friction, else 0."""
-    carried = 0
+def carries_friction(tables: Tables, work: Work) -> bool:
+    """Whether a part of the prescribed load is carried by friction."""
+    carried = False
     if tables.load == LOAD_VERTICAL and tables.mode != MODE_COMPLIANT:
         carried = has_creep_forces(tables, work)
     return carried
@@ -52,17 +51,18 @@ def carried_share(work: Work, index: int):
     """The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load."""
     share = 1.0
     wanted = work.inputs.normal_force * (1.0 + float(2 * index - 1) * work.inputs.load_transfer)
-    if wanted > 0.0 and work.outputs.left[index].normal_part[2] < 0.0:
-        share = -work.outputs.left[index].force[2] / wanted
+    forces = work.sides[index].forces
+    if wanted > 0.0 and forces.normal_force[2] < 0.0:
+        share = -forces.force[2] / wanted
     return share
 
 
-def is_load_met(work: Work, share: float):
-    """1 if neither wheel misses the vertical force that is wanted by more than this ``share``, else 0."""
-    met = 1
+def is_load_met(work: Work, share: float) -> bool:
+    """Whether neither wheel misses the vertical force that is wanted by more than this ``share``."""
+    met = True
     for index in range(2):
         if fabs(carried_share(work, index) - 1.0) > share:
-            met = 0
+            met = False
     return met
 
 
@@ -75,7 +75,6 @@ def share_load(work: Work):
         support.load_before = support.friction_load
         support.share_before = share
         support.friction_load = load
-    return 0
 
 
 def next_load(support: Support, share: float):

@@ -41,15 +41,11 @@ def set_reference(sides: Sides, height: float):
     """Let ``height`` [m] be the reference of both sides when they are next placed."""
     sides[0].place.reference = height
     sides[1].place.reference = height
-    return 0
 
 
-def is_leaning(sides: Sides):
-    """1 if a rail below the placed wheelset is rolled, else 0."""
-    leaning = 0
-    if sides[1].place.leaning:
-        leaning = 1
-    return leaning
+def is_leaning(sides: Sides) -> bool:
+    """Whether a rail below the placed wheelset is rolled."""
+    return sides[1].place.leaning
 
 
 def open_reference(reference: Reference, height: float, found: float):
@@ -62,7 +58,6 @@ def open_reference(reference: Reference, height: float, found: float):
     reference.within.at_low = UNKNOWN
     reference.within.high = found + FARTHEST
     reference.within.at_high = -UNKNOWN
-    return 0
 
 
 def next_reference(reference: Reference, met: float):
@@ -78,16 +73,16 @@ def next_reference(reference: Reference, met: float):
     return height
 
 
-def note_reference(reference: Reference, height: float, found: float, met: float):
-    """Note that for the reference ``height`` the contact was ``found`` [m]; 1 if that is the same to ``met``,
-    or the better end of a jump, else 0."""
+def note_reference(reference: Reference, height: float, found: float, met: float) -> bool:
+    """Note that for the reference ``height`` the contact was ``found`` [m]; whether that is the same to
+    ``met``, or the better end of a jump."""
     residual = found - height
-    near = 0
+    near = False
     if fabs(residual) < met:
-        near = 1
+        near = True
     elif reference.contacts > SECANTS and reference.within.high - reference.within.low < met:
         if reference.within.at_low < UNKNOWN and reference.within.at_high > -UNKNOWN:
-            near = 1
+            near = True
     elif height != reference.height:
         slope = (residual - reference.residual) / (height - reference.height)
         reference.slope = -1.0

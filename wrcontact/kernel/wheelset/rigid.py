@@ -6,18 +6,10 @@ from typing import Final
 from ..layout import NOT_CONVERGED, VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.starts import nearest_start
-from .leaning import (
-    MEETINGS,
-    RIGID_MET,
-    is_leaning,
-    next_reference,
-    note_reference,
-    open_reference,
-    set_reference,
-)
+from .leaning import (MEETINGS, RIGID_MET, is_leaning, next_reference, note_reference, open_reference,
+                      set_reference)
 from .requested import is_requested, side_force
-from .resultant import clear_resultant
-from .side import solve_side
+from .side import clear_side, solve_side
 
 #: After a longer lateral move the search does not start at the last contacts [m].
 NEAR_SHIFT: Final[float] = 2e-4
@@ -28,24 +20,24 @@ def find_roll(left_tables: Tables, right_tables: Tables, work: Work, state: Stat
     moved little, or at those known near its lateral shift."""
     shift = work.inputs.lateral_shift
     guess = work.inputs.roll_guess
-    warm = 0
+    warm = False
     if guess == 0.0:
         row = nearest_start(right_tables.starts, shift)
         if state.warm and (row < 0 or fabs(shift - state.shift) < NEAR_SHIFT):
             guess = state.roll
             work.sides[0].best_y = state.y_left
             work.sides[1].best_y = state.y_right
-            warm = 1
+            warm = True
         elif row >= 0:
             start = right_tables.starts.rows[row]
             guess = start.roll
             work.sides[0].best_y = start.left
             work.sides[1].best_y = start.right
-            warm = 1
+            warm = True
     set_reference(work.sides, 0.0)
     roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state, guess,
                               warm)
-    if status == VALID and is_leaning(work.sides) == 1:
+    if status == VALID and is_leaning(work.sides):
         roll, status = find_leaning_roll(left_tables, right_tables, work, state, roll)
     return roll, status
 
@@ -58,10 +50,10 @@ def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, sta
         height = next_reference(work.reference, RIGID_MET)
         set_reference(work.sides, height)
         roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state,
-                                  roll, 1)
+                                  roll, True)
         if status != VALID:
             return roll, status
-        if note_reference(work.reference, height, work.sides[1].best, RIGID_MET) == 1:
+        if note_reference(work.reference, height, work.sides[1].best, RIGID_MET):
             return roll, VALID
     return roll, NOT_CONVERGED
 
@@ -69,13 +61,13 @@ def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, sta
 def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
     """Both wheels touch at ``roll``, and each carries its load there; the outcome."""
     status = VALID
-    work.outputs.roll = roll
-    work.outputs.vertical_shift = work.sides[1].best
-    for index in range(2):
-        clear_resultant(work.supports[index].resultant)
-    if is_requested(right_tables, 0) == 1:
+    work.wheelset.roll = roll
+    work.wheelset.vertical_shift = work.sides[1].best
+    clear_side(work.sides[0])
+    clear_side(work.sides[1])
+    if is_requested(right_tables, 0):
         status = solve_side(left_tables, work, state, 0, side_force(work, 0))
-    if is_requested(right_tables, 1) == 1:
+    if is_requested(right_tables, 1):
         outcome = solve_side(right_tables, work, state, 1, side_force(work, 1))
         if outcome > status:
             status = outcome
@@ -89,4 +81,3 @@ def keep_roll(work: Work, state: State, roll: float):
     state.y_right = work.sides[1].best_y
     state.shift = work.inputs.lateral_shift
     state.warm = True
-    return 0

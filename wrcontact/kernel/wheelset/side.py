@@ -1,5 +1,4 @@
-"""One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its
-share of the resultant."""
+"""One side of a wheelset, from where its wheel is to its patches."""
 
 from math import isfinite
 
@@ -7,60 +6,43 @@ from ..contact.deep_points import deepest_entry
 from ..contact.followed_overlaps import follow_overlaps, keep_points
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
-from ..layout import (
-    DEPTH_ALL,
-    DEPTH_GEOMETRY,
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    SIDE_SIZE,
-    UNLOADED,
-    VALID,
-    Contact,
-    Outline,
-    SideSearch,
-    State,
-    Tables,
-    Work,
-)
+from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, NOT_CONVERGED, OFF_PROFILE, TANGENTIAL_NONE, UNLOADED, VALID,
+                      Contact, SideSearch, State, Tables, Work)
 from ..normal.normal_contact import solve_normal
+from ..normal.patch_places import place_patches, place_strips
+from ..patch.filling import clear_patches
 from ..patch.outline import write_outline
-from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
+from ..tangential.sections import cut_patch
 from .contact_point import describe_contact
-from .outlines import fill_apart, outline_place
-from .resultant import add_patches, clear_resultant
-from .rolling_patches import keep_rolling
 
 
-def clear_side(tables: Tables, work: Work, index: int):
-    """Zeros in a side's outputs."""
-    out = work.outputs.left[index]
-    for i in range(SIDE_SIZE):
-        out[i] = 0.0
-    work.rolling_sides[index].count = 0
-    fill_apart(tables, work, index, 0.0)
-    return 0
+def clear_side(side: SideSearch):
+    """A side without load."""
+    side.penetration = 0.0
+    clear_patches(side)
 
 
 def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
-    """Normal contact of the side whose frame is open, and its part of the resultant if patches are filled in;
-    number of its regions and outcome."""
-    out = work.outputs.left[index]
-    penetration, count, satisfied = solve_normal(tables, work.contact, state, work.sides[index], out, force,
-                                                 prescribed)
-    out.penetration = penetration
-    if satisfied == 0 and count == 0:
+    """Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
+    regions and outcome."""
+    side = work.sides[index]
+    penetration, count, satisfied = solve_normal(tables, work.contact, state, side, force, prescribed)
+    side.penetration = penetration
+    if not satisfied and count == 0:
         # it overlaps most at the end of a profile
         return count, OFF_PROFILE
-    if satisfied == 0:
+    if not satisfied:
         return count, NOT_CONVERGED
     if work.contact.filling:
-        add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
-        write_patches(work.contact.solved, out)
-        keep_rolling(tables, work.contact, work.rolling_sides[index], float(2 * index - 1))
+        place_patches(tables, work.contact, side)
+        if tables.tangential != TANGENTIAL_NONE:
+            for number in range(side.patch_count):
+                cut_patch(side.patches[number], work.contact.strips)
+                place_strips(tables, work.contact, side.patches[number])
         if tables.depth == DEPTH_ALL:
-            outline = Outline.at(work, outline_place(tables, work, index))
-            write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)
+            write_outline(side.outline, tables.stations, side, work.contact.strips, work.contact.regions,
+                          count)
     return count, VALID
 
 
@@ -68,10 +50,9 @@ def touch_side(tables: Tables, work: Work, state: State, index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest
     gap; its outcome, UNLOADED."""
     side = work.sides[index]
-    clear_side(tables, work, index)
-    clear_resultant(work.supports[index].resultant)
+    clear_side(side)
     status = UNLOADED
-    if describe_contact(tables, work, state, index, side.best_y, 0.0, side.best) == 0:
+    if not describe_contact(tables, work, state, index, side.best_y, 0.0, side.best):
         status = OFF_PROFILE
     return status
 
@@ -96,8 +77,7 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
     rail most; its outcome."""
     side = work.sides[index]
     height = side.best + approach
-    clear_side(tables, work, index)
-    clear_resultant(work.supports[index].resultant)
+    clear_side(side)
     if find_points(tables, work.contact, state, side, index, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE

@@ -2,52 +2,27 @@
 
 The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
 solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
-their loads; add up the forces. If the wheelset rolls, creepages follow, and from them the creep forces; where
-the load is a vertical one, friction carries some of it, and the wheelset is solved again.
+their loads. If the wheelset rolls, creepages follow, and from them the creep forces; all forces are added up.
+Where the load is a vertical one, friction carries some of it, and the wheelset is solved again. The report
+writes the outputs.
 """
 
-from ..layout import (
-    INPUT_COUNT,
-    MODE_COMPLIANT,
-    MODE_ELASTIC,
-    MODE_RIGID,
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    UNLOADED,
-    VALID,
-    WORK_INPUTS,
-    WORK_OUTPUTS,
-    State,
-    Tables,
-    Work,
-)
+from ..layout import (INPUT_COUNT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, NOT_CONVERGED, OFF_PROFILE,
+                      UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, State, Tables, Work)
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
-from .creep_forces import has_creep_forces, write_creep_forces
 from .elastic import solve_elastic
-from .friction_load import (
-    LOAD_MET,
-    LOAD_MISSED,
-    LOAD_PASSES,
-    carries_friction,
-    is_load_met,
-    release_friction,
-    share_load,
-)
-from .leaning import (
-    ELASTIC_MET,
-    MEETINGS,
-    is_leaning,
-    next_reference,
-    note_reference,
-    open_reference,
-    set_reference,
-)
-from .moving import is_rolling, write_creepages
-from .requested import check_inputs, omit_outputs, side_force
-from .resultant import write_resultant
+from .forces import sum_forces
+from .friction_load import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, is_load_met,
+                            release_friction, share_load)
+from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
+                      set_reference)
+from .moving import move_patches
+from .report import report
+from .requested import check_inputs, side_force
 from .rigid import find_roll, keep_roll, solve_rigid
+from .rubbing import rub_patches
 from .trial import turn_to
 
 
@@ -58,10 +33,10 @@ def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State
         return status
     release_friction(work)
     status = solve_wheelset(left_tables, right_tables, work, state)
-    if status <= UNLOADED and carries_friction(right_tables, work) == 1:
+    if status <= UNLOADED and carries_friction(right_tables, work):
         status = solve_with_friction(left_tables, right_tables, work, state, status)
     if status <= UNLOADED:
-        omit_outputs(right_tables, work)
+        report(right_tables, work)
     return status
 
 
@@ -70,39 +45,41 @@ def solve_with_friction(left_tables: Tables, right_tables: Tables, work: Work, s
     NOT_CONVERGED where friction jams a wheel."""
     outcome = status
     for i in range(LOAD_PASSES):
-        if outcome > UNLOADED or is_load_met(work, LOAD_MET) == 1:
+        if outcome > UNLOADED or is_load_met(work, LOAD_MET):
             break
         share_load(work)
         outcome = solve_wheelset(left_tables, right_tables, work, state)
-    if outcome <= UNLOADED and is_load_met(work, LOAD_MISSED) == 0:
+    if outcome <= UNLOADED and not is_load_met(work, LOAD_MISSED):
         outcome = NOT_CONVERGED
     return outcome
 
 
 def solve_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
-    """Contact of both wheels, resultant, creepages and creep forces; the status."""
-    status = VALID
+    """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
+    status = stand(left_tables, right_tables, work, state)
+    if status <= UNLOADED:
+        move_patches(left_tables, right_tables, work, state)
+        rub_patches(left_tables, right_tables, work)
+        sum_forces(right_tables, work)
+    return status
+
+
+def stand(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+    """Where the wheelset stands, and the patches of both wheels: rigid, elastic or compliant; the status."""
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
     if right_tables.mode == MODE_COMPLIANT:
-        status = solve_compliant(left_tables, right_tables, work, state)
-    else:
-        roll, status = find_roll(left_tables, right_tables, work, state)
-        if status != VALID:
-            return status
-        if right_tables.mode == MODE_RIGID:
-            status = solve_rigid(left_tables, right_tables, work, state, roll)
-        if status <= UNLOADED:
-            keep_roll(work, state, roll)
-        if right_tables.mode == MODE_ELASTIC:
-            status = elastic_from_rigid(left_tables, right_tables, work, state, roll)
-    write_resultant(right_tables, work.inputs, work.outputs, work.supports[0].resultant,
-                    work.supports[1].resultant)
-    if is_rolling(work.inputs) == 1:
-        write_creepages(left_tables, right_tables, work, state)
-    if has_creep_forces(right_tables, work) == 1:
-        write_creep_forces(left_tables, right_tables, work)
+        return solve_compliant(left_tables, right_tables, work, state)
+    roll, status = find_roll(left_tables, right_tables, work, state)
+    if status != VALID:
+        return status
+    if right_tables.mode == MODE_RIGID:
+        status = solve_rigid(left_tables, right_tables, work, state, roll)
+    if status <= UNLOADED:
+        keep_roll(work, state, roll)
+    if right_tables.mode == MODE_ELASTIC:
+        status = elastic_from_rigid(left_tables, right_tables, work, state, roll)
     return status
 
 
@@ -111,10 +88,10 @@ def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, st
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
     roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
                                  side_force(work, 0), side_force(work, 1))
-    if status <= UNLOADED and is_leaning(work.sides) == 1:
+    if status <= UNLOADED and is_leaning(work.sides):
         roll, status = meet_leaning(left_tables, right_tables, work, state, rigid_roll)
-    work.outputs.roll = roll
-    work.outputs.vertical_shift = support_height(work)
+    work.wheelset.roll = roll
+    work.wheelset.vertical_shift = support_height(work)
     return status
 
 
@@ -132,13 +109,13 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: S
         height = next_reference(work.reference, ELASTIC_MET)
         set_reference(work.sides, height)
         place_both(left_tables, right_tables, work.inputs, work.sides, rigid_roll)
-        if turn_to(left_tables, right_tables, work, state, rigid_roll) == 0:
+        if not turn_to(left_tables, right_tables, work, state, rigid_roll):
             return roll, OFF_PROFILE
         roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
                                      side_force(work, 0), side_force(work, 1))
         if status > UNLOADED:
             return roll, status
-        if note_reference(work.reference, height, support_height(work), ELASTIC_MET) == 1:
+        if note_reference(work.reference, height, support_height(work), ELASTIC_MET):
             return roll, status
     return roll, NOT_CONVERGED
 
@@ -147,15 +124,13 @@ def step_row(left_tables: Tables, right_tables: Tables, state: State, workspace:
              outputs: 'float[:]', row: int):
     """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
     before are not evaluated again."""
-    changed = 1
-    if workspace.known:
-        changed = 0
+    changed = not workspace.known
     for i in range(INPUT_COUNT):
         if not workspace[WORK_INPUTS + i] == inputs[INPUT_COUNT * row + i]:
-            changed = 1
+            changed = True
         workspace[WORK_INPUTS + i] = inputs[INPUT_COUNT * row + i]
     status = workspace.status
-    if changed == 1:
+    if changed:
         workspace.known = False
         status = evaluate(left_tables, right_tables, workspace, state)
     if status <= UNLOADED:
@@ -182,4 +157,3 @@ def step_many(count: int, left_tables: Tables, right_tables: Tables, state: Stat
     """Evaluate ``count`` rows of inputs, one after the other."""
     for row in range(count):
         statuses[row] = float(step_row(left_tables, right_tables, state, workspace, inputs, outputs, row))
-    return 0

@@ -7,7 +7,7 @@ vanishes in equilibrium.
 
 from typing import Final
 
-from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, State, Support, Tables, Work
+from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, State, Support, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from ..search.roll import follow_side, search_both, turn_both
 from .side import load_side, press_side, side_lever, touch_side
@@ -18,6 +18,7 @@ SHALLOWEST: Final[float] = 0.1
 DEEPEST: Final[float] = 2e-3
 
 
+@seldom
 def estimate_approach(tables: Tables, work: Work, state: State, index: int, force: float):
     """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome."""
     support = work.supports[index]
@@ -31,6 +32,7 @@ def estimate_approach(tables: Tables, work: Work, state: State, index: int, forc
     return status
 
 
+@seldom
 def permitted_approach(support: Support, side: SideSearch, height: float):
     """How far a wheel at ``height`` is below its smallest gap [m], within the range
     in which it is pressed."""
@@ -42,9 +44,10 @@ def permitted_approach(support: Support, side: SideSearch, height: float):
     return approach
 
 
+@seldom
 def balance_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
     """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
-    [m]; its outcome. Outputs are those of the side under this force."""
+    [m]; its outcome. Patches are those of the side under this force."""
     support = work.supports[index]
     side = work.sides[index]
     if not force > 0.0:
@@ -55,13 +58,13 @@ def balance_side(tables: Tables, work: Work, state: State, index: int, force: fl
     status = press_side(tables, work, state, index, approach)
     if status == VALID:
         count, status = load_side(tables, work, state, index, force, tables.absent)
-        carried = approach + (work.outputs.left[index].penetration
-                              - work.contact.frame.depth) / work.contact.frame.plane.cos
+        carried = approach + (side.penetration - work.contact.frame.depth) / work.contact.frame.plane.cos
         support.height = side.best + carried
         support.lever = side_lever(tables, work, index, count)
     return status
 
 
+@seldom
 def balance_both(left_tables: Tables, right_tables: Tables, work: Work, state: State, left: float,
                  right: float, height: float):
     """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
@@ -74,29 +77,32 @@ def balance_both(left_tables: Tables, right_tables: Tables, work: Work, state: S
     return status
 
 
-def turn_to(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
-    """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are
-    above their rails, else 0."""
+@seldom
+def turn_to(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
+    """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; whether both wheels are
+    above their rails."""
     turn_both(work.sides, roll)
     known = follow_side(left_tables, work.sides[0], state)
-    if known == 1:
+    if known:
         known = follow_side(right_tables, work.sides[1], state)
     return search_both(left_tables, right_tables, work.sides, state, known)
 
 
-def turn_near(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
+@seldom
+def turn_near(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
     """Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
-    be followed; 1 if both wheels are above their rails, else 0.  Whether there is a smaller gap is left
+    be followed; whether both wheels are above their rails.  Whether there is a smaller gap is left
     open."""
     turn_both(work.sides, roll)
     known = follow_side(left_tables, work.sides[0], state)
-    if known == 1:
+    if known:
         known = follow_side(right_tables, work.sides[1], state)
-    if known == 0:
-        known = search_both(left_tables, right_tables, work.sides, state, 0)
+    if not known:
+        known = search_both(left_tables, right_tables, work.sides, state, False)
     return known
 
 
+@seldom
 def depth_outcome(work: Work, status: int):
     """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
     compliant form refuses too."""

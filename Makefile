@@ -1,0 +1,34 @@
+# make            these lines
+# make setup      .venv with wrcontact as it stands here, its tests and the translator (needs gcc and gfortran)
+# make kernel     after a change in wrcontact/kernel: translate it to C, and compile that
+# make check      before each commit: ruff, structure, doctests, and the tests of the compiled kernel; two minutes
+# make full       before each merge: what .ci/run runs, on a clean copy; a quarter of an hour
+# make complete   each night: every test there is; hours
+#
+# CONTRIBUTING.md says which test belongs where.  PYTHON=... takes another Python than that of .venv.
+
+PYTHON ?= .venv/bin/python
+PYTEST = $(PYTHON) -m pytest -q -n auto --dist worksteal
+
+help:
+	@sed -n 's/^# \(make.*\)/\1/p' Makefile
+
+setup:
+	python3 -m venv .venv
+	.venv/bin/pip install -q -e ".[test,dev,tables]"
+
+kernel:
+	$(PYTHON) tools/transpile_kernel.py
+	$(PYTHON) tools/compile_kernel.py
+
+check:
+	$(PYTHON) -m ruff check
+	$(PYTEST)
+
+full:
+	.ci/run
+
+complete:
+	$(PYTEST) -m ""
+
+.PHONY: help setup kernel check full complete

@@ -1,0 +1,1 @@
+"""Studies that decided something and are kept."""

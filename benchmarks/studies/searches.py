@@ -1,0 +1,264 @@
+"""The searches side by side: error, steps and cost over a set of poses, and where they fail.
+
+    python -m benchmarks.studies.searches [--quick]
+
+prints Markdown. Errors are against the exact search (kernel/search/smallest_gap.py), which a
+brute-force search confirms. The unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
+"""
+
+import argparse
+import math
+import timeit
+from collections import Counter, namedtuple
+
+import numpy as np
+
+from wrcontact.conventions import MILLIMETRE as MM
+from wrcontact.conventions import SIDES
+from wrcontact.progress import tracked
+from wrcontact.study import AdaptiveSearch, ConstraintSearch, DenserSearch, Search2D, Search3D, exact_result
+from wrcontact.study.search import jump_to_flange, lever_share, longitudinal_limit
+from wrcontact.study.surfaces import Pose
+from wrcontact.system import ContactSystem
+
+from ..machine import clock
+
+#: [mm] and [deg]: tread, both sides of every jump, flange root, flange.
+SHIFTS = (0, 1, 2, 3, 4, 4.7, 4.9, 5, 5.5, 6, 6.1, 6.2, 6.3, 6.5, 7, 8)
+YAWS = (0, 1, 2, 3)
+QUICK_SHIFTS, QUICK_YAWS = (1, 5, 6.2, 6.5), (0, 2)
+
+#: A contact further than this from the exact one, on the wheel profile [m], is in another minimum.
+ELSEWHERE = 1e-3
+GAINS = (0.5, 0.8, 1.0, 1.2, 1.5, 1.9, 2.0, 3.0)
+GAIN_SHIFTS = (3, 6, 6.3, 6.5, 8)   # [mm]
+
+#: A method at one pose; errors of roll [rad], y_wheel and x_wheel [m], of the worse side.
+Trial = namedtuple("Trial", "shift yaw roll y x result units seconds")
+#: A method over poses with or without yaw: medians and largest values of the poses that did not fail,
+#: and the failed trials.
+Row = namedtuple("Row",
+                 "method yawed poses failed roll roll_worst y y_worst x x_worst steps evaluations units "
+                 "seconds")
+
+
+class FromPlane:
+    """The equations with the 2-D search for a start."""
+
+    def __init__(self, system):
+        self.plane, self.equations = Search2D(system), ConstraintSearch(system)
+
+    def solve(self, lateral_shift, yaw):
+        first = self.plane.solve(lateral_shift)
+        return self.equations.solve(lateral_shift, yaw,
+                                    start=(first.roll, first.left.y_wheel, first.right.y_wheel))
+
+
+class FromLevel:
+    """The equations with a level wheelset on its running circles for a start."""
+
+    def __init__(self, system):
+        self.equations = ConstraintSearch(system)
+
+    def solve(self, lateral_shift, yaw):
+        return self.equations.solve(lateral_shift, yaw, start=(0.0, 0.0, 0.0))
+
+
+def methods(system, quick=False):
+    """Name, search (with ``solve(lateral_shift, yaw)``), and whether with yaw, of all that is compared."""
+    both, none, yawed = (False, True), (False,), (True,)
+    yield "2-D, dy 0.1 mm", Search2D(system), both
+    yield "3-D, dx 0.1 mm", Search3D(system), yawed
+    yield "3-D, dx 0.1 mm, 201 profiles", Search3D(system, profiles=201), yawed
+    yield "3-D, dx 0.1 mm, eq. (5.12) as printed", Search3D(system, as_printed=True), yawed
+    yield "adaptive dx, 2 to 0.01 mm", AdaptiveSearch(system), both
+    yield "denser nodes, dx and dy to 0.01 mm", DenserSearch(system), both
+    yield "equations, from the 2-D search", FromPlane(system), both
+    if quick:
+        return
+    yield "equations, from a level wheelset", FromLevel(system), both
+    yield "2-D, dy 0.01 mm", Search2D(system, spacing=1e-5), none
+    yield "2-D, dy 1 mm", Search2D(system, spacing=1e-3), none
+    yield "3-D, dx 0.01 mm", Search3D(system, dx=1e-5), yawed
+    yield "3-D, dx 0.01 mm, 201 profiles", Search3D(system, dx=1e-5, profiles=201), yawed
+    yield "3-D, dx 0.05 mm", Search3D(system, dx=5e-5), yawed
+    yield "3-D, dx 1 mm", Search3D(system, dx=1e-3), yawed
+    yield "3-D, dx 10 mm", Search3D(system, dx=1e-2), yawed
+    yield "3-D, dx 1 mm, 67 profiles", Search3D(system, dx=1e-3, profiles=67), yawed
+    yield "3-D, dx 0.1 mm, dy 0.01 mm", Search3D(system, spacing=1e-5), yawed
+    yield "3-D, dx 0.1 mm, dy 1 mm", Search3D(system, spacing=1e-3), yawed
+
+
+def trials(system, search, poses, timed=2):
+    """A :class:`Trial` of ``search`` at each of ``poses``, (shift [m], yaw [rad]); the time is the
+    smallest of ``timed``."""
+    one = unit()
+    for shift, yaw in poses:
+        exact = exact_result(system, shift, yaw)
+        found = search.solve(shift, yaw)
+        seconds = min(timeit.repeat(lambda: search.solve(shift, yaw), timer=clock, number=1,
+                                    repeat=timed)) if timed else math.nan
+        y, x = (max(abs(getattr(getattr(found, side), name) - getattr(getattr(exact, side), name))
+                    for side in SIDES)
+                for name in ("y_wheel", "x_wheel"))
+        yield Trial(shift, yaw, abs(found.roll - exact.roll), y, x, found, seconds / one, seconds)
+
+
+def has_failed(trial):
+    """Whether a trial did not converge, or did in another minimum."""
+    return not (trial.result.converged and trial.y < ELSEWHERE)
+
+
+def comparison(system=None, quick=False):
+    """A :class:`Row` for each method, without yaw, with it, or both."""
+    system = system or ContactSystem()
+    shifts, yaws = (QUICK_SHIFTS, QUICK_YAWS) if quick else (SHIFTS, YAWS)
+    rows = []
+    for name, search, groups in tracked(list(methods(system, quick)), "searches"):
+        for yawed in groups:
+            poses = [(shift * MM, math.radians(yaw)) for yaw in yaws for shift in shifts
+                     if (yaw != 0) == yawed]
+            rows.append(summary(name, yawed, list(trials(system, search, poses))))
+    return rows
+
+
+def summary(name, yawed, done):
+    """The :class:`Row` of ``done``, a list of trials."""
+    good = [trial for trial in done if not has_failed(trial)]
+
+    def middle(values):
+        values = list(values)
+        return float(np.median(values)) if values else math.nan
+
+    def worst(values):
+        return max(values, default=math.nan)
+
+    errors = [of(getattr(trial, name) for trial in good) for name in ("roll", "y", "x")
+              for of in (middle, worst)]
+    return Row(name, yawed, len(done), [trial for trial in done if has_failed(trial)], *errors,
+               middle(trial.result.steps for trial in done),
+               middle(trial.result.gap_evaluations for trial in done), middle(trial.units for trial in done),
+               middle(trial.seconds for trial in done))
+
+
+def gain_rows(system=None, spacing=1e-4):
+    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of
+    :data:`GAINS`, and the steps."""
+    system = system or ContactSystem()
+    rows = []
+    for gain in GAINS:
+        search = Search2D(system, spacing, gain)
+        found = [search.solve(shift * MM) for shift in GAIN_SHIFTS]
+        rows.append((gain, *(result.steps if result.converged else None for result in found)))
+    return rows
+
+
+def limit_rows(system=None):
+    """Where the right wheel touches, and how far the source looks: shift [m], yaw [rad],
+    x_wheel [m], limit [m]."""
+    system = system or ContactSystem()
+    search = Search2D(system)
+    rows = []
+    for shift in (1e-3, 3e-3, 5e-3, 6e-3, 6.2e-3, 6.5e-3, 8e-3):
+        plane = search.solve(shift)
+        height, slope = search.surfaces.wheel(np.array(plane.right.y_wheel))
+        for yaw in map(math.radians, YAWS[1:]):
+            pose = Pose(shift, yaw, plane.roll)
+            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=pose.roll,
+                                       yaw=yaw)
+            rows.append((shift, yaw, exact_result(system, shift, yaw).right.x_wheel, limit))
+    return rows
+
+
+def jump_rows(system=None):
+    """Lateral shift [m] at which the right wheel comes to its flange: yaw [rad], exact, by the 3-D search."""
+    system = system or ContactSystem()
+    search = Search3D(system)
+    return [(yaw, jump_to_flange(lambda shift: exact_result(system, shift, yaw)),
+             jump_to_flange(lambda shift: search.solve(shift, yaw))) for yaw in map(math.radians, YAWS)]
+
+
+def unit():
+    """Seconds of ``np.sqrt`` of 2000 doubles."""
+    values = np.linspace(0.0, 1.0, 2000)
+    return min(timeit.repeat(lambda: np.sqrt(values), timer=clock, number=300, repeat=5)) / 300
+
+
+def tables(quick=False):
+    """What is printed: header and rows of cells by the table's name."""
+    system = ContactSystem()
+    rows = comparison(system, quick)
+    return {"searches": error_table(rows), "failures": failure_table(rows), "gains": gain_table(system),
+            "limits": limit_table(system), "flange": jump_table(system), "cost": cost_table(system)}
+
+
+def error_table(rows):
+    """Errors: median and largest of the poses that do not fail; steps, gaps and units: median of all."""
+    header = ("search", "yaw", "fails", "roll error [rad]", "y error [mm]", "x error [mm]", "steps",
+              "gaps taken", "units")
+    return header, [
+        (row.method, "1 ... 3 deg" if row.yawed else "none", f"{len(row.failed)} of {row.poses}",
+         f"{row.roll:.1e} / {row.roll_worst:.1e}", f"{row.y / MM:.3f} / {row.y_worst / MM:.3f}",
+         f"{row.x / MM:.3f} / {row.x_worst / MM:.3f}", f"{row.steps:.0f}", f"{row.evaluations:.1e}",
+         f"{row.units:.0f}") for row in rows]
+
+
+def failure_table(rows):
+    """Where each search fails; the 2-D search with yaw is left out."""
+    header = ("fails", "at (lateral shift [mm], yaw [deg]): how far off y_wheel [mm], roll [rad]")
+    cells = []
+    for row in rows:
+        if row.failed and not (row.yawed and row.method.startswith("2-D")):
+            elsewhere = [f"({trial.shift / MM:g}, {math.degrees(trial.yaw):.0f}): {trial.y / MM:.1f}, "
+                         f"{trial.roll:.1e}"
+                         for trial in row.failed if trial.result.converged]
+            unsolved = Counter(trial.result.remark for trial in row.failed if not trial.result.converged)
+            reasons = [f"{remark}: {count} poses" for remark, count in unsolved.items()]
+            cells.append((f"{row.method}, {'with' if row.yawed else 'without'} yaw",
+                          "; ".join(elsewhere + reasons)))
+    return header, cells
+
+
+def gain_table(system):
+    """Steps of the 2-D search by its factor K, and the lever that it should have."""
+    cells = [(str(gain), *("does not converge" if count is None else str(count) for count in steps))
+             for gain, *steps in gain_rows(system)]
+    levers = [f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS]
+    return ("K", *(f"steps at {shift} mm" for shift in GAIN_SHIFTS)), [*cells,
+                                                                       ("true lever / assumed", *levers)]
+
+
+def limit_table(system):
+    """Where a yawed wheel touches, and where the source's search ends."""
+    header = ("lateral shift [mm]", "yaw [deg]", "the right wheel touches at x [mm]",
+              "limit of source eq. (5.8) [mm]")
+    return header, [(f"{shift / MM:g}", f"{math.degrees(yaw):.0f}", f"{x / MM:.2f}", f"{limit / MM:.2f}")
+                    for shift, yaw, x, limit in limit_rows(system)]
+
+
+def jump_table(system):
+    """Where flange contact begins."""
+    header = ("yaw [deg]", "flange contact from lateral shift [mm], exact", "by the 3-D search")
+    return header, [(f"{math.degrees(yaw):.0f}", f"{exact / MM:.3f}", f"{found / MM:.3f}")
+                    for yaw, exact, found in jump_rows(system)]
+
+
+def cost_table(system):
+    """The exact search."""
+    seconds = min(timeit.repeat(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)],
+                                timer=clock, number=10)) / 30
+    return ("search", "units"), [("the exact search from Python, alternating between yaws",
+                                  f"{seconds / unit():.0f}")]
+
+
+def main(quick=False):
+    """Print the comparison as Markdown."""
+    for header, rows in tables(quick).values():
+        print("\n".join(f"| {' | '.join(cells)} |" for cells in (header, ("---",) * len(header), *rows)),
+              end="\n\n")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description="Compare the source's contact searches with the exact one.")
+    parser.add_argument("--quick", action="store_true", help="eight poses, and not the finest nodes")
+    main(parser.parse_args().quick)

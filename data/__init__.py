@@ -1,0 +1,23 @@
+"""What wrcontact is measured against: stored poses, trajectories and answers of other programs, and the
+programs that made them (README.md).  Tests and benchmarks read it; nothing of theirs is imported here."""
+
+import csv
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+FOLDER = Path(__file__).parent
+POSITIONS = FOLDER / "positions.csv"
+MANCHESTER = FOLDER / "manchester_a22_rolls.csv"
+#: Runs of many poses, with their expected outputs.
+TRAJECTORIES = FOLDER / "trajectories"
+HUNTING = TRAJECTORIES / "hunting.csv"
+
+
+@cache
+def columns(path):
+    """Columns of a table of numbers by name, arrays (n,)."""
+    with open(path, newline="", encoding="utf-8") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, np.array(rows, dtype=float).T))

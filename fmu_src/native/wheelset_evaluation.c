@@ -1,0 +1,99 @@
+/* What the kernel makes of a wheelset: one evaluation, its outcome in a sentence, and the equilibrium. */
+#include "wheelset_parts.h"
+
+#include <string.h>
+
+#include "sentences.h"
+
+/* These headers are here for their constants; the functions that they declare are not called. */
+#if defined(__GNUC__) || defined(__clang__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#include "kernel/generated/kernel.h"
+
+bool wheelset_is_compliant(const wheelset *self)
+{
+    return strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
+}
+
+void wheelset_tell_status(wheelset *self)
+{
+    char sentence[MODEL_SENTENCE];
+    sentence_of_status((int)self->core.status, self->core.values, wheelset_is_compliant(self), sentence, sizeof sentence);
+    self->tell(self->owner, sentence);
+    self->core.told = 1;
+}
+
+wrcontact_handle wheelset_handle(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const wrcontact_handle handle = {
+        self->left_tables, self->right_tables, span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
+        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, ROW)};
+    return handle;
+}
+
+void wheelset_set_mode(wheelset *self, double mode)
+{
+    self->left_tables.data[layout__SET_MODE] = self->right_tables.data[layout__SET_MODE] = mode;
+}
+
+/* The elastic wheelset that carries the load of the inputs, in the room of a derivative: its status, with the outputs at
+ * `outputs`. */
+static int balance(wheelset *self, const double **outputs)
+{
+    double *state = self->tangent_room + MODEL_WORK, *row = state + MODEL_MEMORY;
+    const double mode = self->right_tables.data[layout__SET_MODE];
+    const wrcontact_handle handle = {
+        self->left_tables, self->right_tables, span_of(state, MODEL_MEMORY), span_of(self->tangent_room, MODEL_WORK),
+        span_of(self->core.values, MODEL_INPUTS), span_of(row, ROW)};
+    memset(self->tangent_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
+    wheelset_set_mode(self, layout__MODE_ELASTIC);
+    const int status = wrcontact_step(&handle);
+    wheelset_set_mode(self, mode);
+    *outputs = row;
+    return status;
+}
+
+bool wheelset_is_equilibrium(uint32_t reference)
+{
+    return reference >= MODEL_EQUILIBRIUM && reference < MODEL_FIRST_OUTPUT;
+}
+
+void wheelset_find_equilibrium(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const double *outputs = core->values + MODEL_FIRST_OUTPUT;
+    int status = layout__VALID;
+    if (core->balanced || !core->built)
+        return;
+    if (wheelset_is_compliant(self))
+        status = balance(self, &outputs);
+    if (status <= layout__UNLOADED)
+    {
+        core->values[MODEL_EQUILIBRIUM] = outputs[layout__OUT_VERTICAL_SHIFT];
+        core->values[MODEL_EQUILIBRIUM + 1] = outputs[layout__OUT_ROLL];
+    }
+    else if (core->status <= layout__UNLOADED)      /* otherwise the step has told why */
+    {
+        char sentence[MODEL_SENTENCE] = "equilibrium: ";
+        const size_t begun = strlen(sentence);
+        sentence_of_status(status, core->values, false, sentence + begun, sizeof sentence - begun);
+        self->tell(self->owner, sentence);
+    }
+    core->balanced = 1;
+}
+
+/* One step of the kernel, and its outcome. */
+void wheelset_evaluate(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const wrcontact_handle handle = wheelset_handle(self);
+    const int status = wrcontact_step(&handle);
+    core->status = status;
+    core->stale = core->balanced = 0;
+    if (!wheelset_is_compliant(self))
+        wheelset_find_equilibrium(self);        /* which costs nothing */
+    if (status)
+        wheelset_tell_status(self);
+}

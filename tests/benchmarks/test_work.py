@@ -1,0 +1,44 @@
+"""Work of a step on the speed's trajectory, as the kernel counts it: the same on every machine.
+
+The budgets are what was counted when they were set, and 3 % more. Work that grows past them is a change that
+has to be wanted; work that falls far below them asks for lower ones.
+"""
+
+import pytest
+
+from benchmarks import tables, work
+from wrcontact.kernel.binding.library import default_kernel
+
+STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
+#: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (work.COUNTS).
+#:
+#: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew (strip_contact.DEEPER): 7 %
+#: of their gap evaluations and nodes in rigid contact.
+BUDGETS = {
+    "Hertz, rigid": (32.57, 2.03, 4.14, 2.00, 0.00, 0.00),
+    "ANALYN, rigid": (82.39, 2.03, 4.14, 55.35, 7.46, 0.00),
+    "strips, rigid": (88.23, 2.03, 4.14, 120.43, 0.00, 10.47),
+    "ANALYN, compliant": (85.26, 2.00, 0.00, 43.77, 2.64, 0.00),
+    "ANALYN, elastic": (241.63, 4.68, 9.49, 248.60, 28.69, 0.00),
+    "strips, compliant": (85.26, 2.00, 0.00, 103.41, 0.00, 9.03),
+    "strips, elastic": (261.93, 4.67, 12.68, 766.85, 0.00, 62.19),
+}
+SLACK = 1.03
+
+
+@pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+@pytest.mark.parametrize("name", BUDGETS)
+def test_work_stays_within_its_budget(name):
+    parameters, _ = work.ROWS[name]
+    found = work.work(parameters, STEPS, EVERY)
+    for what, value, budget in zip(work.COUNTS, found, BUDGETS[name]):
+        assert value <= SLACK * budget, what
+        assert value >= 0.8 * budget, f"{what}: set a lower budget"
+
+
+def test_every_row_has_a_budget_and_its_line():
+    assert set(BUDGETS) == set(work.ROWS)
+    found = work.measured(quick=True)
+    assert list(found) == list(work.ROWS) and all(row["units"] > 0.0 for row in found.values())
+    lines = tables.trajectory_table({"trajectory": {"rows": found}}).splitlines()
+    assert len(lines) == 2 + len(work.ROWS)

@@ -1,0 +1,1 @@
+"""Programs of data/ against each other, Hertz and CONTACT."""

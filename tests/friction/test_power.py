@@ -1,0 +1,110 @@
+"""Friction takes power and never gives any, its power is that of the forces, and forces add up: over random
+wheelsets, and where a wheel has more patches than are reported."""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.bumps import LOAD, bumpy_system
+from tests.helpers.inside import work_of
+from tests.helpers.moving_fuzz import MODES, SIDES, draw_friction, draw_poses, draw_wheelset
+from wrcontact.interface.inputs import INPUTS
+
+#: Models that know the moment of spin; without it Polach's formula leaves out a part of the power.
+MODELS = ("strips", "fastsim", "fastrip")
+NORMAL = ("analyn", "analyn_strip")
+#: What rounding may leave, of friction times load times speed.
+ROUNDING = 1e-9
+MOTION = {"speed": 20.0, "lateral_velocity": 0.03, "yaw_rate": 0.02}
+
+
+def greatest_power(side, friction, given):
+    """Friction times load at the speeds of the inputs (n,) [W]."""
+    return friction * side.normal_force * (np.abs(given["speed"]) + 0.46 * np.abs(given["wheel_rate"]))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_friction_never_drives(seed):
+    """Wheels and patches of random wheelsets, all motions."""
+    rng = np.random.default_rng([23, seed])
+    wheelset, friction = draw_friction(rng, draw_wheelset(rng, MODES[seed % len(MODES)]), 150)
+    wheelset |= {"normal_model": NORMAL[seed % 2], "tangential_model": MODELS[seed % 3]}
+    given = draw_poses(rng, wheelset, 150) | friction
+    table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
+    good = table.status <= wrcontact.Status.UNLOADED
+    assert good.sum() > 60
+    for name in SIDES:
+        side = getattr(table, name)
+        for part in (side, *side.patches):
+            most = greatest_power(part, friction[f"{name}_friction"], given)
+            assert (part.friction_power[good] >= -ROUNDING * most[good] - 1e-12).all()
+
+
+@pytest.mark.parametrize("normal", NORMAL)
+@pytest.mark.parametrize("model", MODELS)
+def test_power_is_that_of_force_and_moment(normal, model):
+    """P = -(F . v + M . W) with the creep forces in the outputs, the velocity v of the centre and the
+    rotation W of the wheelset with that about the axle.  A yaw rate turns a rolled wheelset about its axle as
+    well, there with the distance from it in the place of the rolling radius: below 1e-8 of mu N V."""
+    rng = np.random.default_rng(5)
+    shift, yaw = rng.uniform(-6.5e-3, 6.5e-3, 60), rng.uniform(-0.02, 0.02, 60)
+    stand = wrcontact.ContactSystem(contact_mode="elastic", normal_model=normal).evaluate_many(shift, yaw)
+    given = {"lateral_shift": shift, "yaw": yaw, "vertical_shift_input": stand.vertical_shift,
+             "roll_input": stand.roll, "speed": rng.uniform(-30, 30, 60), "free_rolling": np.zeros(60),
+             "wheel_rate": rng.uniform(-60, 60, 60), "lateral_velocity": rng.uniform(-0.1, 0.1, 60),
+             "vertical_velocity": rng.uniform(-0.01, 0.01, 60), "yaw_rate": rng.uniform(-0.05, 0.05, 60),
+             "roll_rate": rng.uniform(-0.02, 0.02, 60), "track_curvature": rng.uniform(-3e-3, 3e-3, 60)}
+    table = wrcontact.ContactSystem(contact_mode="compliant", normal_model=normal,
+                                    tangential_model=model).evaluate_many(**given)
+    assert (table.status == 0).all()
+    creep, moment = (np.subtract(one, two) for one, two in ((table.force, table.normal.force),
+                                                            (table.moment, table.normal.moment)))
+    axle = np.array([-np.sin(yaw) * np.cos(table.roll), np.cos(yaw) * np.cos(table.roll), np.sin(table.roll)])
+    bend = given["speed"] * given["track_curvature"]
+    velocity = np.array([given["speed"] - bend * shift, given["lateral_velocity"],
+                         given["vertical_velocity"]])
+    rotation = np.array([given["roll_rate"] * np.cos(yaw), given["roll_rate"] * np.sin(yaw),
+                         given["yaw_rate"] + bend]) - given["wheel_rate"] * axle
+    wanted = -(creep.T * velocity).sum(axis=0) - (moment.T * rotation).sum(axis=0)
+    found = table.left.friction_power + table.right.friction_power
+    most = sum(greatest_power(side, 0.3, given) for side in (table.left, table.right))
+    assert np.abs(found - wanted).max() > 0.0
+    assert (np.abs(found - wanted) < 1e-8 * most).all()
+    np.testing.assert_allclose(table.driving_torque, -(moment.T * axle).sum(axis=0), atol=1e-8, rtol=1e-9)
+
+
+@pytest.mark.parametrize("normal", NORMAL)
+def test_all_patches_of_a_wheel_have_creep_forces(normal):
+    """Also the fourth, which is not reported: it slips as the others do, and the sums include it."""
+    stepper = bumpy_system(normal_model=normal, tangential_model="strips").stepper()
+    given = {"lateral_shift": 0.5e-3, "normal_force": LOAD, **MOTION}
+    stepper.inputs[:] = [given.get(row.keyword, row.start) for row in INPUTS]
+    assert stepper.step() == 0
+    work, state = work_of(stepper), wrcontact.WheelsetState(stepper.outputs, 0, stepper.inputs)
+    for side, found in zip(work.sides, (state.left, state.right)):
+        assert side.patch_count == found.patch_count == 4 and len(found.patches) == 3
+        patches = side.patches[:4]
+        fourth = next(patch for patch in patches if patch.rank == 4)
+        assert fourth.totals.load > 0.02 * LOAD and 0.1 < fourth.saturation <= 1.0
+        assert np.hypot(fourth.creep_x, fourth.creep_y) == pytest.approx(
+            fourth.saturation * 0.3 * fourth.totals.load)
+        assert found.force.x == pytest.approx(sum(patch.creep_x for patch in patches), rel=1e-12)
+        assert found.friction_power == pytest.approx(
+            sum(patch.forces.friction_power for patch in patches), rel=1e-12)
+        assert found.friction_power > 1.01 * sum(patch.friction_power for patch in found.patches)
+        assert found.normal_force == pytest.approx(sum(patch.totals.load for patch in patches), rel=1e-12)
+        for axis in range(3):
+            for name, out in (("force", found.force), ("moment", found.moment)):
+                total = sum(getattr(patch.forces, name)[axis] for patch in patches)
+                assert abs(np.asarray(out)[axis]) == pytest.approx(abs(total), rel=1e-12, abs=1e-9)
+
+
+def test_both_wheels_add_up():
+    """Forces and moments of the wheelset, of unequal wheels."""
+    state = wrcontact.ContactSystem(tangential_model="strips", contact_mode="elastic").evaluate(
+        4e-3, 0.01, 8e4, load_transfer=0.3, **MOTION)
+    for name in ("force", "moment"):
+        for whole, left, right in ((state, state.left, state.right),
+                                   (state.normal, state.left.normal, state.right.normal)):
+            total = np.add(getattr(left, name), getattr(right, name))
+            np.testing.assert_allclose(getattr(whole, name), total, rtol=1e-12, atol=1e-9)

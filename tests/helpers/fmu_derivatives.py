@@ -1,0 +1,53 @@
+"""Scenarios of fmu_process.py on directional derivatives."""
+
+import math
+
+from fmi_host import refused
+
+
+def derivatives(fmu, rows, outputs, inputs, start, stations=31):
+    """Derivatives after steps and in initialisation mode, those of FMI 3 adjoint too, each with whether the
+    instance stayed as it was; and which calls are refused, each with its log lines."""
+    unknowns, knowns = ([fmu.references[name] for name in names] for names in (outputs, inputs))
+    count = sum(stations if fmu.variables[name].dimensions else 1 for name in outputs)
+
+    def along(slave, knowns, seed, unknowns=unknowns, count=count):
+        sized = {"nSensitivity": count} if fmu.version == 3 else {}
+        return list(slave.getDirectionalDerivative(unknowns, knowns, seed, **sized))
+
+    def matrix(slave):
+        return [along(slave, [known], [1.0]) for known in knowns]
+
+    instance, seen = fmu.running(stations=stations, **start), []
+    slave = instance.slave
+    for row in rows:
+        instance.step(**row)
+        before, values = instance.saved(), instance.get()
+        found = {"matrix": matrix(slave), "together": along(slave, knowns, [1.0] * len(knowns))}
+        if fmu.version == 3:
+            found["adjoint"] = slave.getAdjointDerivative(unknowns, knowns, [1.0] * count,
+                                                          nSensitivity=len(knowns))
+        found["kept"] = instance.saved() == before and instance.get() == values
+        seen.append(found)
+    early, fresh = fmu.instance(), fmu.instance()
+    if stations != 31:
+        early.configure(stations)
+    early.set(**start)
+    early.enter()
+    early.set(**rows[0])
+    one, number = knowns[:1], fmu.references
+    calls = {"parameter": ([number["gauge"]], [1.0]), "output as known": ([number["roll"]], [1.0]),
+             "input as unknown": (one, [1.0], [number["yaw"]], 1),
+             "integer": (one, [1.0], [number["status"]], 1),
+             "unknown reference": (one, [1.0], [4711], 1), "not a number": (one, [math.nan])}
+    if fmu.version == 3:
+        calls |= {"time": ([1], [1.0]), "stations": ([2], [1.0]),
+                  "too few sensitivities": (one, [1.0], unknowns, count - 1)}
+    instance.told()
+    answers = {name: (refused(along, slave, *call), instance.told()) for name, call in calls.items()}
+    if fmu.version == 3:
+        answers["too many seeds"] = (refused(slave.getAdjointDerivative, unknowns, one, [1.0] * (count + 1)),
+                                     instance.told())
+    answers["too early"] = refused(along, fresh.slave, one, [1.0]), fresh.told()
+    return {"seen": seen, "inside": matrix(early.slave), "calls": answers,
+            "after": matrix(slave) == seen[-1]["matrix"]}

@@ -1,0 +1,126 @@
+"""Scenarios of fmu_process.py on the life cycle: calls out of order, times that are none, stopTime."""
+
+import contextlib
+import ctypes
+import io
+import math
+
+import fmpy
+from fmpy.fmi1 import FMICallException
+
+
+def answer_of(instance, call, *arguments):
+    """(Status of a call, the log's lines of status, category and sentence)."""
+    try:
+        call(*arguments)
+        status = 0
+    except FMICallException as failure:
+        status = failure.status
+    return status, instance.told()
+
+
+def life(fmu):
+    """Every call out of its order, and every step that is none; then a reset and a step."""
+    instance = fmu.instance()
+    slave, reference = instance.slave, fmu.references
+    calls = (
+        ("step before", slave.doStep, 0.0, 1e-3),
+        ("output before", slave.getReal, [reference["roll"]]),
+        ("status before", slave.getInteger, [reference["status"]]),
+        ("leave before", slave.exitInitializationMode),
+        ("terminate before", slave.terminate),
+        ("start nan", slave.setupExperiment, None, math.nan),
+        ("stop before start", slave.setupExperiment, None, 1.0, 0.5),
+        ("stop nan", slave.setupExperiment, None, 1.0, math.nan),
+        ("good times", slave.setupExperiment, None, 1.0, 1.1),
+        ("wrong parameter", instance.set, "gauge", 14.35),
+        ("enter refused", slave.enterInitializationMode),
+        ("right parameter", instance.set, "gauge", 1.435),
+        ("enter", slave.enterInitializationMode),
+        ("enter twice", slave.enterInitializationMode),
+        ("times inside", slave.setupExperiment, None, 0.0),
+        ("step inside", slave.doStep, 1.0, 1e-3),
+        ("output inside", slave.getReal, [reference["roll"]]),
+        ("leave", slave.exitInitializationMode),
+        ("leave twice", slave.exitInitializationMode),
+        ("fixed parameter", instance.set, "gauge", 1.5),
+        ("fixed text", instance.set, "load", "a #7 %s"),
+        ("half a list", slave.setReal, [reference["yaw"], reference["roll"]], [0.1, 0.1]),
+        ("integer output", slave.setInteger, [reference["status"]], [1]),
+        ("unknown reference", slave.getReal, [4711]),
+        ("wrong type", slave.getReal, [reference["status"]]),
+        ("step back", slave.doStep, 1.0, -1.0),
+        ("step nan", slave.doStep, 1.0, math.nan),
+        ("step at infinity", slave.doStep, math.inf, 1.0),
+        ("beyond the stop", slave.doStep, 1.05, 0.1),
+        ("step", slave.doStep, 1.0, 0.05),
+        ("last step", slave.doStep, 1.05, 0.05 + 1e-12),
+        ("unset", slave.getReal, [reference["yaw"]]),
+        ("terminate", slave.terminate),
+        ("terminate twice", slave.terminate),
+        ("step after", slave.doStep, 1.1, 0.0),
+        ("set after", instance.set, "yaw", 0.1),
+        ("read after", slave.getReal, [reference["roll"]]),
+        ("reset", slave.reset),
+        ("enter again", slave.enterInitializationMode),
+        ("leave again", slave.exitInitializationMode),
+        ("step again", slave.doStep, 0.0, 5.0),
+    )
+    answers = {}
+    for name, call, *arguments in calls:
+        if call == instance.set:
+            variable, value = arguments
+            answers[name] = answer_of(instance, lambda: instance.set(**{variable: value}))
+        else:
+            answers[name] = answer_of(instance, call, *arguments)
+    return {"answers": answers, "after": instance.get("roll", "yaw", "status", "gauge")}
+
+
+def foreign_stop(fmu):
+    """A state of a run up to 1 s, set in an instance with another stopTime."""
+    runs = {}
+    for stop in (1.0, 10.0):
+        runs[stop] = instance = fmu.instance(f"up to {stop} s")
+        instance.initialise(0.0, stop)
+        instance.slave.doStep(0.0, 0.5)
+    run = runs[10.0]
+    own, step = run.state("take"), run.slave.doStep
+    answers = {"before": answer_of(run, step, 0.5, 2.0)}
+    run.restore(runs[1.0].saved())
+    answers["foreign"] = answer_of(run, step, 0.5, 2.0)
+    answers["up to its stop"] = answer_of(run, step, 0.5, 0.5)
+    run.state("set", own)
+    answers["own again"] = answer_of(run, step, 0.5, 2.0)
+    return answers
+
+
+def unlogged(fmu):
+    """What the log and the console have of a wrong parameter and of a status, with debug logging off; and
+    what fmpy's simulate_fmu makes of the parameter."""
+    instance = fmu.instance(logging=False)
+    instance.set(gauge=14.35)
+    seen = {"parameter": answer_of(instance, instance.slave.enterInitializationMode)[1]}
+    instance.set(gauge=1.435, lateral_shift=math.nan)
+    instance.initialise()
+    seen["status"] = answer_of(instance, instance.slave.doStep, 0.0, 1e-3)[1]
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        try:
+            result = fmpy.simulate_fmu(fmu.folder, start_values={"gauge": 14.35}, stop_time=1.0,
+                                       output=["roll", "status"])
+            seen["simulated"] = [list(map(str, row)) for row in result.tolist()]
+        except FMICallException as failure:
+            seen["simulated"] = failure.status
+    return {**seen, "printed": printed.getvalue()}
+
+
+def pointers(fmu):
+    """Statuses of calls with nothing in them: empty lists and a text that is no text."""
+    slave, text = fmu.running().slave, fmu.references["load"]
+    references, nothing = (ctypes.c_uint * 1)(text), (ctypes.c_char_p * 1)(None)
+    try:
+        status = slave.fmi2SetString(slave.component, references, 1, nothing) or 0
+    except FMICallException as failure:
+        status = failure.status
+    slave.setReal([], []), slave.getReal([])
+    return {"text": status}

@@ -1,0 +1,28 @@
+"""The one door through which tests look into a system and its stepper."""
+
+from wrcontact.kernel import layout
+
+
+def work_of(stepper):
+    """The kernel's workspace as a record; of both wheels the right one comes last."""
+    return layout.Work.at(workspace_of(stepper))
+
+
+def workspace_of(stepper):
+    """The kernel's workspace as numbers (n,)."""
+    return stepper._workspace
+
+
+def solver_of(stepper):
+    """What works on the stepper's arrays: the kernel, or the half-space."""
+    return stepper._bound
+
+
+def rates_along(stepper, seed):
+    """Derivatives of all outputs at the last step along ``seed`` (inputs,)."""
+    return solver_of(stepper).tangent(seed)[1]
+
+
+def tables_of(system):
+    """Settings and tables of the right side of a system."""
+    return system._tables

@@ -1,1 +1,0 @@
-"""Stored results of other programs, and reference programs that do not import wrcontact."""

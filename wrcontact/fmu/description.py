@@ -1,0 +1,130 @@
+"""The FMU's modelDescription.xml, from the one table of variables."""
+
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from ..interface.variables import INPUT, OUTPUT, PARAMETER, PLACE, REFERENCE, STRING, UNITS, VARIABLES, select
+
+MODEL = "WheelsetContact"
+DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points, roll and normal contact (ANALYN "
+               "or Hertz) of both wheels")
+
+CAPABILITIES = {
+    "modelIdentifier": MODEL,
+    "needsExecutionTool": "false",
+    "canHandleVariableCommunicationStepSize": "true",
+    "canInterpolateInputs": "false",
+    "canBeInstantiatedOnlyOncePerProcess": "false",
+    "canNotUseMemoryManagementFunctions": "true",
+    "canGetAndSetFMUstate": "true",
+    "canSerializeFMUstate": "true",
+    "providesDirectionalDerivative": "false",
+}
+
+#: The native FMU has directional derivatives, the Python FMU has not.
+NATIVE_CAPABILITIES = {**CAPABILITIES, "providesDirectionalDerivative": "true"}
+
+LOG_CATEGORIES = {
+    "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the "
+                        "limit",
+    "logStatusError": "Why a call failed: a parameter, a saved state or a value that was refused",
+}
+
+
+def model_description(guid, tool, version, starts, units=()):
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C
+    files to compile of a native FMU, which has its sources with it."""
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=MODEL,
+        guid=guid,
+        description=DESCRIPTION,
+        version=version,
+        generationTool=tool,
+        variableNamingConvention="structured",
+    )
+    abilities = SubElement(root, "CoSimulation", NATIVE_CAPABILITIES if units else CAPABILITIES)
+    if units:
+        files = SubElement(abilities, "SourceFiles")
+        for name in units:
+            SubElement(files, "File", name=name)
+    unit_definitions(SubElement(root, "UnitDefinitions"))
+    categories = SubElement(root, "LogCategories")
+    for name, meaning in LOG_CATEGORIES.items():
+        SubElement(categories, "Category", name=name, description=meaning)
+    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
+    _variables(SubElement(root, "ModelVariables"), starts)
+    _structure(SubElement(root, "ModelStructure"))
+    indent(root)
+    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+
+
+def unit_definitions(parent):
+    """Units by their SI exponents, each with the unit to show."""
+    for unit in UNITS.values():
+        element = SubElement(parent, "Unit", name=unit.name)
+        SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in unit.base.items()})
+        if unit.display:
+            SubElement(element, "DisplayUnit", name=unit.display, factor=number_text(unit.display_factor))
+
+
+def _variables(parent, starts):
+    """Every variable, in the order of the table."""
+    for variable in VARIABLES:
+        element = SubElement(
+            parent,
+            "ScalarVariable",
+            name=variable.name,
+            valueReference=str(REFERENCE[variable.name]),
+            description=variable.description,
+            causality=variable.causality,
+            variability=variable.variability,
+        )
+        if variable.causality != INPUT:
+            element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
+        SubElement(element, variable.type, attributes_of(variable, starts))
+
+
+def attributes_of(variable, starts):
+    """Start, unit and limits of one variable, as text."""
+    unit = UNITS.get(variable.unit)
+    attributes = {
+        "start": starts.get(variable.name, variable.start),
+        "quantity": unit.quantity if unit else None,
+        "unit": variable.unit,
+        "displayUnit": unit.display if unit else None,
+        "min": variable.minimum,
+        "max": variable.maximum,
+        "nominal": variable.nominal,
+    }
+    return {name: number_text(value) for name, value in attributes.items()
+            if value is not None and (value != "" or name == "start")}
+
+
+def number_text(value):
+    """A number so that it is read back exactly; a Boolean as XML has it; text as it is."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _structure(parent):
+    """Which inputs each output follows, and what is computed in initialisation from which inputs and
+    parameters."""
+    known = [PLACE[variable.name] for variable in select(PARAMETER) if variable.type != STRING]
+    for section, extra in (("Outputs", []), ("InitialUnknowns", known)):
+        unknowns = SubElement(parent, section)
+        for variable in select(OUTPUT):
+            inputs = [PLACE[name] for name in variable.depends_on]
+            _unknown(unknowns, PLACE[variable.name], inputs + extra)
+
+
+def _unknown(parent, place, follows):
+    """One dependency entry; FMI 2 counts variables from 1 there, in the order of the file."""
+    SubElement(
+        parent,
+        "Unknown",
+        index=str(place + 1),
+        dependencies=" ".join(str(known + 1) for known in sorted(follows)),
+        dependenciesKind=" ".join("dependent" for _ in follows),
+    )

@@ -1,0 +1,326 @@
+"""The FMU's documentation/index.html: use, conventions, equations, and tables of all variables."""
+
+from html import escape
+from xml.etree.ElementTree import fromstring
+
+from ..conventions import SIDES
+from ..interface.variables import folded
+from ..methods import CHOICES, family_of
+from .archive import SOURCES
+
+ICON = SOURCES / "icon.svg"
+
+STYLE = """
+body { font: 16px/1.5 sans-serif; max-width: 76em; margin: 2em auto; padding: 0 1em; color: #222; }
+p { max-width: 60em; }
+sub, sup { line-height: 0; }
+table { border-collapse: collapse; font-size: 90%; }
+th, td { text-align: left; vertical-align: top; padding: .2em .6em; border-bottom: 1px solid #ddd; }
+.equation { margin: .6em 2em; font-family: serif; font-size: 110%; }
+code, td span { white-space: nowrap; }
+h1 svg { width: 1.6em; height: 1.6em; vertical-align: middle; margin-right: .4em; }
+"""
+
+USE = """
+<h2>How to use it</h2>
+<p>Set the inputs, step, read the outputs. The model has no dynamics of its own: outputs follow the inputs immediately, any
+step size is correct, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
+<code>status</code> is the outcome of a step. If it is not 0, one line in the log names the variable, its value and the
+limit. The step itself still succeeds, and the next valid input gives a valid result.</p>
+<table>
+<tr><th>status</th><th>meaning</th><th>outputs</th></tr>
+<tr><td>0</td><td>valid</td><td>valid</td></tr>
+<tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td>
+<td>valid; the patch of that wheel is empty</td></tr>
+<tr><td>2</td><td>off the profile: no contact inside both profiles, or a wheel more than 2 mm deep in its rail</td>
+<td>last valid values</td></tr>
+<tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
+<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1, or friction outside 0 &hellip; 2</td>
+<td>last valid values</td></tr>
+</table>
+"""
+
+METHOD = """
+<h2>Conventions</h2>
+<p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y
+to the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above,
+roll &theta; positive with the right wheel down; the attitude of the wheelset is R = R<sub>z</sub>(&psi;)
+R<sub>x</sub>(&theta;). Wheel and rail profile frames have y to the field side and z down, on both sides (the left side
+is the mirror image of the right one): the flange is at negative y, and <code>y_wheel</code>, <code>y_rail</code>,
+stations and centroids of both wheels can be compared directly. Only <code>y_track</code> is not mirrored. The contact angle is
+positive towards the flange.</p>
+<p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in
+the axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
+<code>vertical_shift</code> &minus; <code>nominal_radius</code>). They include the creep forces of
+friction where a <code>tangential_model</code> is chosen; <code>normal.force</code> and <code>normal.moment</code> are the parts of
+the pressures alone.</p>
+
+<p><code>creepage.x</code>, <code>creepage.y</code> and <code>creepage.spin</code> of a patch are the velocity of the wheel
+against the rail forward and to the left in the plane of the patch, and its rotation about the normal from the rail to the
+wheel, over the mean of the speed and the speed of the wheel's circumference. Velocities are inputs; in rigid and elastic
+contact the vertical velocity and the roll rate follow from contact with both rails. Without <code>speed</code> and
+<code>wheel_rate</code> there are no creepages.</p>
+
+<h2>Creep forces</h2>
+<p><code>tangential_model</code> decides how creep forces follow from a solved patch, its creepages and the coefficient of
+friction of its side, <code>left.friction</code> or <code>right.friction</code>: {models}.
+Without <code>speed</code> and <code>wheel_rate</code> nothing rolls, and there are no creep forces.</p>
+<p><code>tangential.x</code> is the force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
+field side, on both sides; <code>tangential.moment</code> is the moment on the wheel about the normal from the rail to the
+wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
+<code>saturation</code> is the creep force over friction times normal force; <code>friction_power</code> is what friction takes
+from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub> + &phi; M<sub>z</sub>) with the creepages' own
+directions; <code>wear_number</code> is T&gamma; without spin. <code>driving_torque</code> is the torque of the creep forces about
+the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. <code>shear</code> times
+<code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
+vertical load.</p>
+<p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
+friction fall with the sliding velocity w,</p>
+<p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
+<p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
+
+<h2>Contact modes</h2>
+<p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
+wheel is pressed along its normal there. Elastic: the wheels approach the rails until each carries its load, which gives
+height and roll; for a small load this is the rigid pose. Compliant: height and roll are the inputs
+<code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from the penetration of each wheel;
+<code>normal_force</code> and <code>load_transfer</code> are used for the equilibrium only, and a wheelset with mass can be driven by the outputs
+<code>force</code> and <code>moment</code>. Inputs that a mode does not use may have any permitted value.
+<code>load</code> says what <code>normal_force</code> is: the sum over the patches of a wheel, or the vertical component of
+their resultant.</p>
+
+<h2>Contact geometry</h2>
+<p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal
+has no x component. This fixes the angle around the wheel for every point of the profile, the <em>contact
+locus</em>:</p>
+<p class="equation">&phi;(y) = &minus;arctan t &minus; arcsin w, &nbsp; t = tan &psi; sin &theta;, &nbsp;
+w = &plusmn; tan &psi; cos &theta; r&prime;(y) / &radic;(1 + t&sup2;) &nbsp; (+ right wheel, &minus; left wheel)</p>
+<p>Along it the vertical gap between wheel and rail is a function of one coordinate,</p>
+<p class="equation">g(y) = z<sub>rail</sub>(Y(y)) &minus; Z(y),</p>
+<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest. Bounds of the
+gap prove that no smaller minimum exists, so the contact does not depend on earlier positions of the wheelset.</p>
+<p>The roll of a rigid wheelset makes the smallest gaps equal left and right:</p>
+<p class="equation">G(&theta;) = min g<sub>right</sub> &minus; min g<sub>left</sub> = 0.</p>
+<p>The derivative of a minimum is the partial derivative at its fixed place on the wheel (envelope theorem),</p>
+<p class="equation">d(min g) / d&theta; = z&prime;<sub>rail</sub> &part;Y/&part;&theta; &minus;
+&part;Z/&part;&theta;,</p>
+<p>so Newton's method, inside a bracket, finds the roll in a few steps. The vertical shift is the remaining gap.</p>
+
+<h2>Normal contact</h2>
+<p>Hertz: with the relative curvatures of the undeformed distance z = A x&sup2; + B s&sup2; (x rolling direction, s in
+the contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,</p>
+<p class="equation">c = (3 N / (4 E* (A + B)))<sup>1/3</sup>, &nbsp; a = m c, &nbsp; b = n c, &nbsp;
+&delta; = r ((3 N / (4 E*))&sup2; (A + B))<sup>1/3</sup>, &nbsp; p<sub>0</sub> = 3 N / (2 &pi; a b)</p>
+<p>where m, n, r follow from the complete elliptic integrals K(e) and E(e) of the ellipse with the ratio q of its
+semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and
+the other is q L, r = 2 K(e) / (&pi; L), and the ratio of the smaller to the larger curvature is (K(e) &minus; E(e)) / (E(e) /
+q&sup2; &minus; K(e)).</p>
+<p>ANALYN (Sichani, Enblom and Berg 2014) uses the undeformed distance g(s) and the local curvature B(s) across the
+patch:</p>
+<p class="equation">&alpha; = (r / m&sup2;)(1 + B / A) &minus; 1, &nbsp; &beta; = (r / n&sup2;)(1 + A / B) &minus; 1</p>
+<p class="equation">d(s) = &delta;<sub>0</sub> &minus; (1 + &beta;) g(s), &nbsp;
+a(s) = &radic;(d / ((1 + &alpha;) A)), &nbsp; p<sub>0</sub>(s) = (2 E* / &pi;) d / (n r a)</p>
+<p class="equation">p(x, s) = p<sub>0</sub>(s) &radic;(1 &minus; (x / a(s))&sup2;), &nbsp;
+N = &int; (&pi; / 2) a(s) p<sub>0</sub>(s) ds</p>
+<p>&delta;<sub>0</sub> is found from the prescribed N. The factor of p<sub>0</sub> is 2 E*/&pi;; with constant A and B
+the result is that of Hertz. Separate loaded regions are patches, sorted by decreasing load.</p>
+"""
+
+
+def documentation_page(version, description, about):
+    """The page as text.
+
+    Parameters
+    ----------
+    version : of wrcontact.
+    description : the FMU's modelDescription.xml, whose variables are listed.
+    about : HTML on this kind of FMU only, from ``about_python`` or ``about_native``.
+    """
+    root = fromstring(description)
+    versions = f"FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}"
+    tables = "".join(_table(title, causality, root) for causality, title in TABLES.items())
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>WheelsetContact</title>\n'
+        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}WheelsetContact</h1>\n"
+        f"<p>Wheel-rail contact of one wheelset on track; {versions}.</p>\n"
+        f"{USE}{about}{METHOD.replace('{models}', tangential_models())}{_abilities(root)}{tables}"
+        '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
+    )
+
+
+def tangential_models():
+    """HTML on the tangential models that an FMU has."""
+    return ", ".join(f"<em>{method.name}</em> ({escape(method.words)})"
+                     for method in family_of("tangential_model").methods if not method.python_only)
+
+
+# --- what holds for one kind of FMU ------------------------------------------------------------------
+
+
+def about_python():
+    """HTML on the FMU that runs in Python."""
+    return """
+<h2>This FMU</h2>
+<p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. On a
+platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
+results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002, cone20, cone40; UIC60, 60E1, 54E1) or the name
+of a file in the FMU's <code>resources</code>.</p>
+<p>A wrong call (an unknown value reference, a wrong type, a parameter that is not permitted, a call out of order) changes
+nothing and gives one sentence in the log and on the console. PythonFMU, which calls the program, knows no error: the call
+returns fmi2OK, and values that cannot be read are nan. A step that is refused returns fmi2Discard with the wish to end the
+simulation; so does every step after a refused initialisation, where <code>status</code> is 4.</p>
+<p>A saved state holds inputs, parameters, outputs, the time, stopTime and the start values of the search.</p>
+"""
+
+
+def about_native(version, platforms, profiles):
+    """HTML on a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by
+    name."""
+    names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
+             for kind in ("wheel", "rail")}
+    return f"""
+<h2>This FMU</h2>
+<p>It is compiled and needs no Python, no file and no other program. It contains libraries for {", ".join(platforms)}. For
+other machines, compile its <code>sources</code> with any C11 compiler; {LISTS[version]} lists the files. The sources tell gcc
+and clang not to fuse a multiplication with an addition; another compiler, or another mathematical library, may change
+results by rounding.</p>
+<p>{OUTLINES[version]}</p>
+<p>Profiles are packed: <code>wheel_profile</code> is one of {names["wheel"]}, <code>rail_profile</code> one of
+{names["rail"]}. These and all other parameters are fixed when initialisation mode is left.</p>
+<p>A wrong call (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of order) returns
+an error with one sentence in the log, without debug logging too, and the instance continues. An input that is not a number, or a contact off the
+profile, is not an error but a <code>status</code>.</p>
+<p>It has directional derivatives of all continuous outputs with respect to all inputs{ADJOINT[version]}. At a jump they are
+those of the side on which the pose lies. With status 1 the derivatives of the unloaded wheel's patch are zero; with status 2
+and higher, where outputs are held, all are zero.</p>
+<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is created and
+initialised, and for saved states, never in a step. Instances share constant data only, so each may run in a thread of its
+own; one instance is for one thread at a time.</p>
+<p>A saved state holds inputs, parameters, outputs, the time, stopTime and the start values of the search. A simulation that continues
+from it gives the same bits as one that was not interrupted. Its bytes can be read by any instance of the same FMU (same
+{TOKENS[version]}) on the same kind of machine; other instances refuse them.</p>
+"""
+
+
+OUTLINES = {
+    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code>, "
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>; the FMU of FMI 3.0 has arrays instead.",
+    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code>, "
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, evenly spaced from the first loaded place to the last. Their length is the "
+       "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
+       "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
+       "depends on it. An array has one value reference, and a call needs room for all its values. Value "
+       "references start at 1 and differ from those of the FMU of FMI 2.0.",
+}
+LISTS = {2: "<code>SourceFiles</code> in the model description",
+         3: "<code>sources/buildDescription.xml</code>"}
+ADJOINT = {2: "", 3: ", and adjoint ones"}
+TOKENS = {2: "guid", 3: "instantiation token"}
+
+
+# --- from the model description ----------------------------------------------------------------------
+
+
+TABLES = {
+    "input": "Inputs",
+    "structuralParameter": "Structural parameters (sizes of arrays)",
+    "parameter": "Parameters (fixed after initialisation)",
+    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 by "
+              "default)",
+    "independent": "Time",
+}
+
+
+def _abilities(root):
+    """Capabilities and log categories, as the model description declares them."""
+    abilities = dict(root.find("CoSimulation").attrib)
+    abilities.pop("modelIdentifier")
+    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n"
+                   for name, value in abilities.items())
+    logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
+                   for category in root.iter("Category"))
+    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
+            f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n")
+
+
+def _table(title, causality, root):
+    """A table of all variables of one causality, without empty columns; left and right, patches and stations
+    share a row."""
+    groups = {}
+    for variable in root.find("ModelVariables"):
+        if variable.get("causality") == causality:
+            groups.setdefault(folded(variable.get("name")), []).append(variable)
+    if not groups:
+        return ""
+    table = [HEADINGS, *(_row(name, members, root) for name, members in groups.items())]
+    kept = [k for k in range(len(HEADINGS)) if any(row[k] for row in table[1:])]
+    rows = ["".join(f"<{tag}>{row[k]}</{tag}>" for k in kept)
+            for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))]
+    return f"<h2>{title}</h2>\n<table>\n" + "".join(f"<tr>{row}</tr>\n" for row in rows) + "</table>\n"
+
+
+HEADINGS = ("name", "reference", "unit", "shown in", "start", "permitted", "meaning")
+
+
+def _row(name, members, root):
+    """The cells of one row; ``members`` are variables that differ only by side, patch or station."""
+    first = members[0]
+    # nested in FMI 2
+    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}
+    start = attributes.get("start") or next((element.get("value") for element in first.iter("Start")), "")
+    meaning = attributes["description"]
+    return (
+        f"<code>{escape(name + _size(first, root))}</code>",
+        _references(members),
+        escape(attributes.get("unit", "")),
+        escape(attributes.get("displayUnit", "")),
+        escape(_short(start)),
+        ", ".join(CHOICES.get(name, ())) or _limits(attributes.get("min"), attributes.get("max")),
+        escape(meaning.split(": ", 1)[1] if name.startswith("side.") else meaning),
+    )
+
+
+def _size(variable, root):
+    """The size of an array: a number, or the name of the variable that defines it; "" for a scalar."""
+    sizes = []
+    for dimension in variable.iter("Dimension"):
+        reference = dimension.get("valueReference")
+        named = [v.get("name") for v in root.find("ModelVariables") if v.get("valueReference") == reference]
+        sizes.append(dimension.get("start") or named[0])
+    return f"[{', '.join(sizes)}]" if sizes else ""
+
+
+def _limits(low, high):
+    """A range, open where a limit is None."""
+    if low and high:
+        return f"<span>{float(low):g} &hellip; {float(high):g}</span>"
+    return f"&ge; {float(low):g}" if low else f"&le; {float(high):g}" if high else ""
+
+
+def _short(number):
+    """A number with as few digits as possible; other text unchanged."""
+    try:
+        return f"{float(number):.10g}"
+    except ValueError:
+        return number
+
+
+def _references(members):
+    """Value references of variables, by side where there are two: "left 28 &hellip; 58; right 162 &hellip;
+    192"."""
+    sides = {}
+    for variable in members:
+        side = variable.get("name").split(".")[0]
+        sides.setdefault(side if side in SIDES else "", []).append(int(variable.get("valueReference")))
+    return "; ".join(f"{side} {_runs(references)}".strip() for side, references in sides.items())
+
+
+def _runs(numbers):
+    """Rising numbers as text, with consecutive ones joined: "1, 5 &hellip; 9"."""
+    runs = []
+    for number in numbers:
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
+        else:
+            runs.append([number, number])
+    return ", ".join(f"{first}" if first == last else f"{first} &hellip; {last}" for first, last in runs)

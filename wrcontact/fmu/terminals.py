@@ -1,0 +1,70 @@
+"""The folder terminalsAndIcons of an FMU: its icon, and its variables in groups that connect as one."""
+
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from ..conventions import SIDES
+from ..interface.friction import FRICTION as FRICTION_INPUTS
+from ..interface.motion import MOTION as MOTION_INPUTS
+from ..interface.rails import RAILS as RAIL_INPUTS
+from ..interface.variables import INPUT, OUTPUT, VARIABLES
+from .archive import SOURCES
+
+#: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
+POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
+        "yaw": "yaw", "roll_guess": "roll_guess"}
+RAILS = {row.name: row.name for row in RAIL_INPUTS}
+MOTION = {row.name: row.name for row in MOTION_INPUTS}
+FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
+LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
+
+
+def terminals_and_icons(version, names):
+    """Entries of the archive for FMI ``version`` (2 or 3), whose variables are called ``names``.
+
+    FMI 2 takes the file over from FMI 3 as it is: its schema, which is that of FMI 3, permits only versions
+    3.x of it, in an archive of FMI 2 too.
+    """
+    root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
+    corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
+    picture = SubElement(root, "GraphicalRepresentation")
+    SubElement(picture, "CoordinateSystem", {**corners, "suggestedScalingFactorTo_mm": "0.1"})
+    SubElement(picture, "Icon", corners)
+    parent = SubElement(root, "Terminals")
+    for name, (kind, meaning, members) in terminals(names).items():
+        terminal = SubElement(parent, "Terminal", name=name, matchingRule="bus",
+                              terminalKind=f"wrcontact.{kind}", description=meaning)
+        for member, variable in members.items():
+            SubElement(terminal, "TerminalMemberVariable", variableName=variable, memberName=member,
+                       variableKind="signal")
+    indent(root)
+    image = (SOURCES / "icon.png").read_bytes()
+    entries = {
+        "terminalsAndIcons/terminalsAndIcons.xml": tostring(root, encoding="UTF-8", xml_declaration=True)
+        + b"\n",
+        "terminalsAndIcons/icon.png": image,
+        "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes(),
+    }
+    return entries if version == 3 else {**entries, "model.png": image}     # where FMI 2 has its icon
+
+
+def terminals(names):
+    """(kind, meaning, variables by their name in a connection) of each terminal, by name."""
+    whole = [variable.name for variable in VARIABLES if variable.causality == OUTPUT
+             and not variable.name.startswith(SIDES)]
+    inputs = {variable.name for variable in VARIABLES if variable.causality == INPUT}
+    groups = {
+        "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too",
+                 POSE),
+        "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
+        "rails": ("rails", "How far the rails are from their nominal places", RAILS),
+        "motion": ("motion", "How the wheelset and its rails move", MOTION),
+        "friction": ("friction", "Friction between wheels and rails", FRICTION),
+        "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
+                     {name: name for name in whole}),
+    }
+    for side in SIDES:
+        of_side = [name.removeprefix(f"{side}.") for name in names if name.startswith(f"{side}.")
+                   and name not in inputs]
+        groups[side] = ("contact", f"Contact of the {side} wheel",
+                        {name: f"{side}.{name}" for name in of_side})
+    return groups

@@ -1,0 +1,167 @@
+"""A wheelset's steps with creep forces by the complete theory: the kernel finds contact, patches and
+creepages, and each patch then rolls on the half-space (wrcontact/halfspace/rolling).  A step takes some
+seconds."""
+
+import numpy as np
+
+from ..kernel import layout
+from ..kernel.binding.library import default_kernel
+from ..kernel.motion.creepage import STANDSTILL
+from ..kernel.tangential.sections import clear_creep
+from ..kernel.tangential.tangential_contact import mirror_rolling
+from ..kernel.tangential.tractions import add_strip
+from ..kernel.wheelset.forces import sum_forces
+from ..kernel.wheelset.report import report
+from ..kernel.wheelset.requested import has_creep_forces
+from ..kernel.wheelset.rubbing import close_rolling, open_rolling
+from ..kernel.wheelset.wear import write_wear
+from ..status import Status
+from .rolling.extrapolation import roll_outline
+from .rolling.pressure import Outline
+
+#: Stations of the outline that the strips of a patch are interpolated to, closer together at both ends.
+STATIONS = 201
+
+
+class RollingSolver:
+    """The kernel with the half-space's creep forces, on the arrays of one wheelset.
+
+    A step in which a patch does not converge has status 3 and leaves the outputs as they are.
+
+    Parameters
+    ----------
+    poisson_ratio : of wheel and rail.
+    tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
+    """
+
+    def __init__(self, poisson_ratio, tables, state, workspace, inputs, outputs, left=None):
+        self._material = {"shear_modulus": layout.Tables.at(tables).shear_modulus,
+                          "poisson_ratio": poisson_ratio}
+        self._sides = [layout.Tables.at(each) for each in (tables if left is None else left, tables)]
+        self._workspace, self._inputs, self._outputs = workspace, inputs, outputs
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, outputs, left)
+        self.compiled = self._kernel.compiled
+        self._rolled = None
+
+    def step(self):
+        """One step; the status."""
+        known = (self._workspace[layout.WORK_KNOWN] == 1.0 and self._rolled is not None
+                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
+        before = self._outputs.copy()
+        status = self._kernel.step()
+        if status <= Status.UNLOADED:
+            work = layout.Work.at(self._workspace)
+            try:
+                if not known and has_creep_forces(self._sides[1], work):
+                    rub_patches(self._sides, work, lambda index, patch: roll_strips(patch, **self._material))
+                    report_forces(self._sides[1], work)
+            except ArithmeticError:
+                self._workspace[layout.WORK_KNOWN] = 0.0
+                self._outputs[:], self._rolled = before, None
+                return int(Status.NOT_CONVERGED)
+            self._rolled = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+            self._outputs[:] = self._rolled
+        return status
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
+        in ``statuses`` each."""
+        for row in range(count):
+            self._inputs[:] = inputs[row]
+            statuses[row] = self.step()
+            if statuses[row] <= Status.UNLOADED:
+                outputs[row] = self._outputs
+
+
+def rub_patches(sides, work, find):
+    """Creep forces of all patches in the workspace, as
+    :func:`~wrcontact.kernel.wheelset.rubbing.rub_patches` finds them.
+
+    Parameters
+    ----------
+    sides : records Tables of the left and the right side.
+    work : record Work.
+    find : called with a side's index and a record Patch, into which it writes what it finds.
+    """
+    for index, tables in enumerate(sides):
+        side = work.sides[index]
+        friction = work.inputs.right_friction if index else work.inputs.left_friction
+        for patch in side.patches[:side.patch_count]:
+            if patch.speed > STANDSTILL:
+                factor = open_rolling(tables, work.rolling, patch, friction)
+                find(index, patch)
+                close_rolling(patch, factor)
+        if tables.depth == layout.DEPTH_ALL:
+            write_wear(side, tables.stations)
+
+
+def report_forces(tables, work):
+    """The sum of all forces, and all outputs, in the workspace."""
+    sum_forces(tables, work)
+    report(tables, work)
+
+
+def roll_strips(patch, **material):
+    """Creep force of a patch of the kernel that rolls, a :class:`~wrcontact.kernel.layout.Patch`, by the
+    complete theory, into its record."""
+    def solved():
+        outline, creepage_x = outline_of_strips(patch)
+        return roll_outline(outline, creepage_x=creepage_x, creepage_y=patch.creepage_y, spin=patch.spin,
+                            friction=patch.friction, **material)
+
+    roll_patch_forwards(patch, solved)
+
+
+def roll_patch_forwards(patch, solved):
+    """Write what ``solved()`` finds of a patch that rolls forwards, a
+    :class:`~wrcontact.halfspace.rolling.extrapolation.RollingForces`, into its record.  A patch that rolls
+    backwards is meanwhile the mirror image of one that rolls forwards."""
+    clear_creep(patch)
+    if patch.totals.load <= 0.0 or patch.friction <= 0.0:
+        return
+    if patch.backwards:
+        mirror_rolling(patch)
+    found = solved()
+    share_rows(patch, found)
+    patch.creep_x, patch.creep_y, patch.creep_moment = found.force_x, found.force_y, found.moment
+    patch.stick_share, patch.max_shear = found.stick_share, found.max_shear
+    if patch.backwards:
+        mirror_rolling(patch)
+
+
+def outline_of_strips(patch):
+    """The patch as an :class:`~wrcontact.halfspace.rolling.pressure.Outline`, and the longitudinal creepage
+    beside that of spin at its stations (n,).
+
+    Over the ellipse that has the patch's ends, square of the half-length and line load follow straight lines
+    between the strips: an ellipse is met exactly.
+    """
+    strips = list(patch.strips)
+    start, stop = (strip.y + way * 0.5 * strip.width for strip, way in ((strips[0], -1), (strips[-1], 1)))
+    y, square, load, slip, x = np.array([(strip.y, strip.half_length**2, strip.line_load, strip.slip, strip.x)
+                                         for strip in strips]).T
+    middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
+    low, high = np.array([(strip.y - 0.5 * strip.width, strip.y + 0.5 * strip.width) for strip in strips]).T
+
+    def ellipse(t):
+        return t - t**3 / 3.0
+
+    mean = (ellipse((high - middle) / half) - ellipse((low - middle) / half)) * half / (high - low)
+    station = middle + half * np.sin(np.linspace(-0.5, 0.5, STATIONS) * np.pi)
+    share = np.clip(1.0 - ((station - middle) / half) ** 2, 0.0, None)
+    half_length = np.sqrt(share * np.interp(station, y, square / mean))
+    line = share * np.interp(station, y, load / mean)
+    pressure = np.divide(line, 0.5 * np.pi * half_length, out=np.zeros(STATIONS), where=half_length > 0.0)
+    outline = Outline.of_stations(station, half_length, pressure, np.interp(station, y, x))
+    outline = outline.scaled(patch.totals.load)
+    return outline, np.interp(station, y, slip + patch.spin * y)
+
+
+def share_rows(patch, found):
+    """Each strip's part of the tractions on the fine grid, per width [N/m]."""
+    field, tractions = found.fine.field, found.fine.tractions
+    along, across = tractions.sum(axis=2) * field.steps[1]
+    turning = (tractions[1] * field.x).sum(axis=1) * field.steps[1]
+    for strip in patch.strips:
+        force_x, force_y, moment = (np.interp(strip.y, field.y, each) for each in (along, across, turning))
+        add_strip(patch, strip, force_x, force_y, moment - strip.x * force_y)

@@ -1,0 +1,232 @@
+"""A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel
+is then pressed into its rail (:mod:`pressed_wheel`), and its patches roll there (:mod:`pressed_rolling`).  A
+step takes some tenths of a second, and some seconds with creep forces by the complete theory."""
+
+import math
+from functools import partial
+
+import numpy as np
+
+from ..kernel import layout
+from ..kernel.binding.library import default_kernel
+from ..kernel.wheelset.moving import move_patches
+from ..kernel.wheelset.requested import has_creep_forces, is_requested
+from ..progress import tracked
+from ..status import Status
+from .contact import TOLERANCE
+from .equilibrium import find_equilibrium, stand_of
+from .outputs import fill_side
+from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches
+from .pressed_wheel import Settings, press
+from .rolling_step import report_forces, rub_patches
+from .wheel_on_rail import wheel_on_rail
+
+#: How far above its rail an unloaded wheel of an elastic wheelset is counted [m].
+CLEAR = 1e-9
+
+
+def halfspace_solver(tolerance=None, poisson_ratio=None):
+    """What :class:`~wrcontact.Stepper` binds its arrays with; ``tolerance`` as for
+    :class:`~wrcontact.ContactSystem`, ``poisson_ratio`` as for :class:`HalfspaceSolver`."""
+    return partial(HalfspaceSolver, TOLERANCE if tolerance is None else tolerance, poisson_ratio)
+
+
+class HalfspaceSolver:
+    """The half-space model on the arrays of one wheelset.
+
+    A step in which a wheel does not converge has status 3 and leaves the outputs as they are.
+
+    Parameters
+    ----------
+    tolerance : permitted relative error, as for :func:`~wrcontact.halfspace.contact.solve_contact`.
+    poisson_ratio : of wheel and rail, for creep forces by the complete theory; None: those by the kernel's
+        model, if the tables have one.
+    tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
+    """
+
+    def __init__(self, tolerance, poisson_ratio, tables, state, workspace, inputs, outputs, left=None):
+        self.tolerance, self._tables, self._state, self._workspace = tolerance, tables, state, workspace
+        self._sides = tables if left is None else left, tables
+        self._tables_of = [layout.Tables.at(each) for each in self._sides]
+        self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry, left)
+        self.compiled = self._kernel.compiled
+        self._creep = (KernelRolling(self._sides, workspace) if poisson_ratio is None else
+                       CompleteRolling(layout.Tables.at(tables).shear_modulus, poisson_ratio))
+        self._pressed = None
+        self._answer, self._status = None, None
+
+    @property
+    def _work(self):
+        return layout.Work.at(self._workspace)
+
+    def step(self):
+        """One step; the status."""
+        if self._is_known():
+            self._outputs[:] = self._answer
+            return self._status
+        self._answer = None
+        self._refuse_rolled_rails()
+        self._workspace[layout.WORK_KNOWN] = 0.0
+        status = self._kernel.step()
+        if status > Status.UNLOADED:
+            return status
+        try:
+            status = self._solve(status)
+        except ArithmeticError:
+            return int(Status.NOT_CONVERGED)
+        if status <= Status.UNLOADED:
+            self._answer = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+            self._outputs[:], self._status = self._answer, status
+        return status
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
+        in ``statuses`` each."""
+        for row in range(count):
+            self._inputs[:] = inputs[row]
+            statuses[row] = self.step()
+            if statuses[row] <= Status.UNLOADED:
+                outputs[row] = self._outputs
+
+    def _is_known(self):
+        """Whether the inputs are those of the last answer, and nothing else has changed."""
+        return (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
+                and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
+
+    @property
+    def _settings(self):
+        return Settings(self._tables[layout.SET_CONTACT_MODULUS], 0.0,
+                        self._tables[layout.SET_LOAD] == layout.LOAD_VERTICAL, self.tolerance)
+
+    def _solve(self, status):
+        """The patches of a wheelset whose geometry the kernel has found, and all outputs, in the workspace;
+        the status."""
+        work, right = self._work, self._tables_of[1]
+        wheels = [partial(self._pressed_side, index) for index in range(2)]
+        if right.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
+            wheels, status = self._balanced()
+        solved = [self._press(index, wheels[index])
+                  for index in tracked(range(2), "half-space of one pose", alone=True)]
+        move_patches(*self._tables_of, work, layout.State.at(self._state))
+        if has_creep_forces(right, work):
+            rub_patches(self._tables_of, work, partial(self._rub, solved))
+        report_forces(right, work)
+        return status
+
+    def _rub(self, solved, index, patch):
+        """The creep force of a patch of the :class:`SolvedSide` ``index``."""
+        if solved[index] is None:
+            patch.creep_x = math.nan
+        else:
+            self._creep(solved[index], index, patch, self._work.sides[index].motion)
+
+    def _press(self, index, wheel):
+        """Fill a side's patches with those of its pressed wheel; the :class:`SolvedSide`, None for a wheel
+        without load, and for one that is not wanted, whose forces are not numbers."""
+        tables, side = self._tables_of[index], self._work.sides[index]
+        if side.patch_count == 0:
+            return None
+        wanted = is_requested(tables, index) and tables.depth != layout.DEPTH_GEOMETRY
+        if not wanted and tables.mode == layout.MODE_COMPLIANT:
+            for patch in side.patches[:side.patch_count]:
+                patch.normal_y = patch.normal_z = math.nan
+                patch.normal_moment[:] = [math.nan] * 3
+            return None
+        wheel, (across, _) = wheel(), self._contact(index)
+        if tables.mode == layout.MODE_RIGID:
+            side.penetration = wheel.contact.penetration * math.cos(side.point.contact_angle)
+        found = SolvedSide(wheel.counted_from(across), self._moved(index) * [2.0 * index - 1.0, 1.0])
+        strips = self._work.contact.strips
+        fill_side(side, strips, found.wheel, found.moved, int(tables.stations))
+        if tables.tangential != layout.TANGENTIAL_NONE:
+            cut_patches(found, side, strips)
+        return found
+
+    def _pair(self, index, roll, height):
+        """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
+        return wheel_on_rail(self._sides[index], index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
+                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
+                             rail=self._moved(index))
+
+    def _refuse_rolled_rails(self):
+        for side, place in (("left", layout.IN_LEFT_RAIL_ROLL), ("right", layout.IN_RIGHT_RAIL_ROLL)):
+            if self._inputs[place] != 0.0:
+                raise ValueError(f"{side}.rail_roll is {self._inputs[place]:g} rad; permitted with the "
+                                 "normal_model 'halfspace' is 0")
+
+    def _moved(self, index):
+        """Displacement of a side's rail to the right and down [m]."""
+        first = layout.IN_LEFT_RAIL_LATERAL if index == 0 else layout.IN_RIGHT_RAIL_LATERAL
+        return self._inputs[first:first + 2]
+
+    def _contact(self, index):
+        """Place of the contact point across and down, in the frame of a right wheel on a rail that is not
+        moved."""
+        lateral, vertical = self._moved(index)
+        point = self._work.sides[index].point
+        return point.y_track - (2.0 * index - 1.0) * lateral, point.z_track - vertical
+
+    def _force(self, index):
+        """The force that is prescribed for a side [N]."""
+        transfer = (2.0 * index - 1.0) * self._inputs[layout.IN_LOAD_TRANSFER]
+        return self._inputs[layout.IN_NORMAL_FORCE] * (1.0 + transfer)
+
+    def _pressed_side(self, index):
+        """The pressed wheel of a side where the kernel has found its contact: rigid or compliant."""
+        work = self._work
+        side, point = work.sides[index], work.sides[index].point
+        pair = self._pair(index, work.wheelset.roll, work.wheelset.vertical_shift)
+        steep = math.cos(point.contact_angle)
+        depth = side.penetration / steep
+        if self._tables[layout.SET_MODE] == layout.MODE_COMPLIANT:
+            return press(pair.lowered(-depth), self._settings, penetration=depth)
+        # the kernel's contact is one to its tolerance
+        apart = pair.distance(point.x_track, *self._contact(index), point.contact_angle)
+        prescribed = self._tables[layout.SET_PENETRATION_LEFT + index]
+        load = ({"penetration": prescribed / steep} if math.isfinite(prescribed)
+                else {"force": self._force(index), "estimate": depth})
+        return press(pair.lowered(apart / steep), self._settings, **load)
+
+    def _balanced(self):
+        """Functions that return both pressed wheels of an elastic wheelset, which the workspace then
+        describes, and its status."""
+        roll, height = self._work.wheelset.roll, self._work.wheelset.vertical_shift
+        settings, arm = self._settings, self._tables[layout.SET_ARM]
+        heights = {0: height, 1: height}
+
+        def stand(index, roll, tolerance, last):
+            found = stand_of(self._pair(index, roll, heights[index]), index, settings.at(tolerance),
+                             self._force(index), last)
+            heights[index] = found.height
+            return found
+
+        roll, stands = find_equilibrium(stand, roll, arm, settings.tolerance)
+        height = 0.5 * (stands[0].height + stands[1].height)
+        for each in stands:
+            if each.wheel is None:      # heights are equal to a tolerance only: it must not overlap its rail
+                height = each.height - CLEAR
+        status = self._stand_at(roll, height)
+        return [lambda wheel=each.wheel: wheel for each in stands], status
+
+    def _stand_at(self, roll, height):
+        """Let the kernel's workspace be that of a wheelset with this roll [rad] and vertical shift [m]; its
+        status."""
+        if self._pressed is None:
+            tables = self._tables.copy()
+            left = tables if self._sides[0] is self._tables else self._sides[0].copy()
+            arrays = (tables, np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
+                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs), left)
+            for each in (tables, left):
+                each[layout.SET_MODE] = layout.MODE_COMPLIANT
+            self._pressed = default_kernel().bind(*arrays), *arrays
+        kernel, tables, _, workspace, inputs, _, left = self._pressed
+        for place in (layout.SET_SIDES, layout.SET_DEPTH):
+            tables[place] = left[place] = self._tables[place]
+        workspace[layout.WORK_KNOWN] = 0.0
+        inputs[:] = self._inputs
+        inputs[layout.IN_ROLL], inputs[layout.IN_VERTICAL_SHIFT] = roll, height
+        status = kernel.step()
+        pressed = layout.Work.at(workspace)
+        self._work.sides, self._work.wheelset = pressed.sides, pressed.wheelset
+        return status

@@ -1,0 +1,119 @@
+"""Where the loads of patches act, and along which direction.
+
+The rail pushes the wheel along the normal (0, -sin(angle), -cos(angle)): the rail's normal where the load
+acts, or the mean over a region where that is known (mean_normal.py).  A patch that reaches over the bound
+between two regions has two normals and two places, one for each.
+"""
+
+from math import atan, sqrt
+
+from ..contact.arc_length import rail_abscissa
+from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Patch, Region,
+                      SideSearch, Tables)
+from ..surface.profile_table import height_slope
+from ..surface.rails import on_track
+
+
+def place_patches(tables: Tables, contact: Contact, side: SideSearch):
+    """Centres of load, normal forces and penetrations of the patches of a side whose regions are solved."""
+    for index in range(side.patch_count):
+        patch = side.patches[index]
+        open_place(patch)
+        for number in range(REGION_LIMIT):
+            if patch.loads[number] != 0.0:
+                region = contact.regions[number]
+                local = region.alignment * side.penetration - region.gap
+                if local > patch.penetration:
+                    patch.penetration = local
+                place_load(tables, contact.frame, region, patch, number)
+        close_place(patch)
+
+
+def open_place(patch: Patch):
+    """No load, no force and no penetration yet."""
+    patch.penetration = 0.0
+    patch.x_track = 0.0
+    patch.y_track = 0.0
+    patch.z_track = 0.0
+    patch.rolling_radius = 0.0
+    patch.normal_y = 0.0
+    patch.normal_z = 0.0
+    for i in range(3):
+        patch.normal_moment[i] = 0.0
+
+
+def place_load(tables: Tables, frame: Frame, region: Region, patch: Patch, number: int):
+    """The load of a patch in a region, which is its ``number``: its force, its moment about the track's
+    origin, and its place [m], weighted by the load until :func:`close_place`."""
+    load = patch.loads[number]
+    # from the region's smallest gap to the part's centre of load; a part that carries less than nothing
+    # (patch/filling.py) has no such centre
+    away = 0.0
+    if load > 0.0:
+        away = patch.moments[number] / load - region.offset - region.station
+    abscissa = abscissa_at(tables, frame, region, away)
+    height, slope = height_slope(tables.rail, abscissa)
+    normal_cos = 1.0 / sqrt(1.0 + slope * slope)
+    normal_sin = slope * normal_cos
+    if frame.pressed or tables.load == LOAD_VERTICAL:
+        normal_cos = region.cos
+        normal_sin = region.sin
+    x = region.x_track + region.slant * away
+    y, z = on_track(frame.place, tables.rail_y, tables.rail_y + abscissa, height)
+    if frame.place.leaning:
+        down = normal_cos
+        normal_cos = frame.place.rail_cos * down - frame.place.rail_sin * normal_sin
+        normal_sin = frame.place.rail_cos * normal_sin + frame.place.rail_sin * down
+    force_y = normal_sin * load
+    force_z = -normal_cos * load
+    patch.normal_y += force_y
+    patch.normal_z += force_z
+    patch.normal_moment[0] += y * force_z - z * force_y
+    patch.normal_moment[1] -= x * force_z
+    patch.normal_moment[2] += x * force_y
+    wheel_height, wheel_slope = height_slope(tables.wheel, region.wheel)
+    wheel_height, wheel_slope = height_slope(tables.wheel,
+                                             region.wheel + away / sqrt(1.0 + wheel_slope * wheel_slope))
+    patch.x_track += load * x
+    patch.y_track += load * y
+    patch.z_track += load * z
+    patch.rolling_radius += load * (tables.radius + wheel_height)
+
+
+def abscissa_at(tables: Tables, frame: Frame, region: Region, away: float):
+    """The rail's abscissa [m] at stations ``away`` from a region's smallest gap [m]: stations of a wheel that
+    just touches are those of its contact plane, all others run along the rail."""
+    abscissa = region.rail + away * frame.plane.cos
+    if frame.pressed:
+        abscissa = rail_abscissa(tables, region.rail, away)
+    return abscissa
+
+
+def close_place(patch: Patch):
+    """The centre of load of a patch [m], and the angle of its force [rad]."""
+    load = patch.totals.load
+    if load > 0.0:
+        patch.x_track /= load
+        patch.y_track /= load
+        patch.z_track /= load
+        patch.rolling_radius /= load
+        patch.contact_angle = -atan(patch.normal_y / -patch.normal_z)
+
+
+def place_strips(tables: Tables, contact: Contact, patch: Patch):
+    """Where the strips of a patch are in the track, and the wheel's rolling radius there.  Wheel and rail lie
+    on each other: from the point of the patch's first region on, both abscissae run alike."""
+    number = 0
+    while number < REGION_LIMIT - 1 and patch.loads[number] == 0.0:
+        number += 1
+    region = contact.regions[number]
+    place = contact.frame.place
+    for index in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[index]
+        abscissa = abscissa_at(tables, contact.frame, region, strip.station - region.offset - region.station)
+        height, slope = height_slope(tables.rail, abscissa)
+        y, z = on_track(place, tables.rail_y, tables.rail_y + abscissa, height)
+        strip.y_track = y
+        strip.z_track = z
+        height, slope = height_slope(tables.wheel, region.wheel + abscissa - region.rail)
+        strip.rolling_radius = tables.radius + height

@@ -1,0 +1,264 @@
+"""The figures of the degree project as pictures, each drawn only from its table, which is also written as
+CSV.
+
+Lines are exact, dots are the source's searches, broken lines are elastic contact or the complete theory.
+"""
+
+import numpy as np
+
+from ..plots.patch import FINER
+from ..plots.pose import HIGH
+from ..plots.style import (
+    CONTACT_COLOUR,
+    INK,
+    MM,
+    QUIET,
+    RAIL_COLOUR,
+    RAIL_LABEL,
+    WHEEL_COLOUR,
+    ZONE_COLOUR,
+    new_figure,
+    styled,
+)
+from .curves import (
+    COLOURS,
+    curves_of,
+    draw_place,
+    draw_place_and_errors,
+    draw_roll,
+    draw_roll_by_yaw,
+    draw_shift_by_yaw,
+    draw_two_searches,
+)
+from .figure import rows_of
+
+THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
+UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
+WIDE = 10.5  # [in]
+
+
+@styled
+def source_figure(figure):
+    """The picture of a :class:`~wrcontact.study.figure.SourceFigure`."""
+    picture = new_figure(*SIZES.get(figure.number, (WIDE, 4.2)))
+    picture.suptitle(f"{figure.number}  {figure.title}", x=0.01, ha="left")
+    DRAWN[figure.number](picture, figure)
+    return picture
+
+
+# --- where the contact is --------------------------------------------------------------------------
+
+
+def draw_picture(picture, figure):
+    draw_outlines(picture.subplots(), figure)
+
+
+def draw_outlines(panel, figure):
+    """Wheel, rail and contact point on the track, to one scale."""
+    ends = {"wheel": HIGH / MM, "rail": -60.0}
+    for name, colour in (("wheel", WHEEL_COLOUR), ("rail", RAIL_COLOUR)):
+        rows = rows_of(figure.columns, curve=name)
+        y, height = (rows[column].astype(float) for column in ("y_track [mm]", "height [mm]"))
+        panel.fill_between(y, height, ends[name], color=colour, alpha=0.18, linewidth=0)
+        panel.plot(y, height, color=colour)
+    point = rows_of(figure.columns, curve="contact point")
+    y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
+    panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white",
+               markeredgewidth=0.6)
+    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left",
+                   color=CONTACT_COLOUR,
+                   arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8})
+    panel.text(768, -12, "rail", color=RAIL_LABEL, ha="center")
+    panel.text(768, 11, "wheel", color=WHEEL_COLOUR, ha="center")
+    panel.set(xlim=(685, 805), ylim=(-32, 16), aspect="equal", xlabel="across the track, right + [mm]",
+              ylabel="above top of rail [mm]")
+
+
+# --- separations -----------------------------------------------------------------------------------
+
+
+def draw_separation(picture, figure):
+    whole, near, patch = picture.subplots(1, 3, width_ratios=(1.2, 1, 1.1))
+    for name, colour, look in (("equidistant", COLOURS[0], "-"), ("vertical", COLOURS[1], (0, (3, 1.5)))):
+        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items()
+                if key != "curve"}
+        whole.plot(rows["y [mm]"], rows["separation [mm]"], color=colour, linestyle=look, label=name)
+        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look,
+                       label=name)
+    cosine = np.cos(np.radians(figure.numbers.get("contact angle [deg]", 0.0)))
+    theory = rows_of(figure.columns, curve="complete theory")
+    closed_outline(patch, theory["station [mm]"].astype(float) * cosine,
+                   theory["half length [mm]"].astype(float), fine=True, label="complete theory", **THEORY)
+    apart = rows_of(figure.columns, curve="vertical less equidistant")
+    near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
+    near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
+    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET,
+              fontsize=7.5, ha="center", va="bottom")
+    near.set(yscale="log", ylim=(1e-7, 1e-1), xlabel="y from the contact, field side + [mm]",
+             ylabel="vertical less equidistant [mm]")
+    whole.set(ylim=(-0.3, 8), xlabel="y from the contact, field side + [mm]", ylabel="separation [mm]")
+    patch.set(xlabel="y from the contact, field side + [mm]", ylabel="rolling direction [mm]")
+    to_scale(patch)
+    patch.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
+    for panel, title in ((whole, "Separation"), (near, "Their difference inside the patch"),
+                         (patch, "Patch")):
+        panel.set_title(title)
+    whole.legend(loc="upper center")
+    patch.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, handlelength=1.6, columnspacing=1)
+
+
+def closed_outline(panel, station, half_length, *, fine=False, label=None, **look):
+    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they
+    stand for."""
+    if fine:
+        station, half_length = rounded_edge(station, half_length)
+    loaded = half_length > 0
+    beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
+    edge = np.where(beside, half_length, np.nan)
+    panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]),
+               label=label, **look)
+
+
+def rounded_edge(station, half_length):
+    """Many stations between the stored ones; the squares are interpolated, so that an ellipse stays round."""
+    from scipy.interpolate import Akima1DInterpolator
+
+    stored = np.arange(len(station))
+    place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
+    squares = Akima1DInterpolator(stored, half_length**2, method="makima")(place)
+    return np.interp(place, stored, station), np.sqrt(np.maximum(squares, 0.0))
+
+
+def to_scale(panel):
+    """One scale for both directions unless the patch is long and thin; then the label says so."""
+    low, high = panel.get_xlim()
+    bottom, top = panel.get_ylim()
+    if top - bottom < UPRIGHT * (high - low):
+        panel.set_aspect("equal", adjustable="datalim")
+    else:
+        panel.set_xlabel(panel.get_xlabel() + ", stretched")
+
+
+# --- longitudinal curvature ------------------------------------------------------------------------
+
+
+def draw_longitudinal(picture, figure):
+    whole, near = picture.subplots(1, 2)
+    _curvature_panels(whole, near, figure)
+
+
+def draw_longitudinal_with_picture(picture, figure):
+    upper, lower = picture.subfigures(2, 1, height_ratios=(1, 1))
+    draw_outlines(upper.subplots(), figure)
+    _curvature_panels(*lower.subplots(1, 2), figure)
+
+
+def _curvature_panels(whole, near, figure):
+    y, effective, basic = (np.array(figure.columns[name], dtype=float) for name in
+                           ("y_wheel [mm]", "effective 2A [1/m]", "basic 2A [1/m]"))
+    patch = [figure.numbers[f"patch {end} y_wheel [mm]"] for end in ("from", "to")]
+    at, margin = figure.numbers["y_wheel [mm]"], max(0.5, 0.25 * (patch[1] - patch[0]))
+    for panel in (whole, near):
+        panel.axvspan(*patch, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
+        panel.plot(y, effective, color=COLOURS[0], label="effective, cos(contact angle) / R")
+        panel.plot(y, basic, color=COLOURS[1], linestyle=(0, (4, 1.5)), label="basic, 1 / R")
+        panel.axvline(at, color=QUIET, linewidth=0.8, linestyle=":")
+        panel.set(xlabel="on the wheel's profile, field side + [mm]", ylabel="longitudinal curvature [1/m]")
+    near.set_xlim(patch[0] - margin, patch[1] + margin)
+    inside = (y > patch[0] - margin) & (y < patch[1] + margin)
+    values = np.concatenate([effective[inside], basic[inside]])
+    room = 0.15 * np.ptp(values) + 0.002
+    near.set_ylim(values.min() - room, values.max() + room)
+    whole.legend(loc="lower right")
+    whole.set_title("Along the wheel; grey: the patch, dotted: the contact point")
+    near.set_title("Across the patch")
+
+
+# --- patches ---------------------------------------------------------------------------------------
+
+
+def draw_patches(picture, figure):
+    """Edges of several patches over each other, and their pressures."""
+    edges, pressures = picture.subplots(1, 2)
+    names = curves_of(figure)
+    own = [name for name in names if "complete theory" not in name]
+    for name in names:
+        rows = rows_of(figure.columns, curve=name)
+        station, half, pressure = (rows[column].astype(float) for column in
+                                   ("station [mm]", "half length [mm]", "pressure [MPa]"))
+        theory = "complete theory" in name
+        case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
+        look = {**(THEORY if theory else {}), "color": INK if case is None else COLOURS[case]}
+        if name == "basic":
+            look["linestyle"] = (0, (3, 1.5))
+        closed_outline(edges, station, half, fine=True, label=name, **look)
+        pressures.plot(*rounded_edge(station, pressure), **look)
+    for panel in (edges, pressures):
+        panel.set_xlabel("s in the contact plane, field side + [mm]")
+    edges.set_ylabel("rolling direction [mm]")
+    pressures.set_ylabel("pressure on x = 0 [MPa]")
+    pressures.set_ylim(bottom=0)
+    edges.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
+    to_scale(edges)
+    edges.set_title("Edges of the patches, from the rigid contact point")
+    pressures.set_title("Pressure across")
+    picture.legend(*edges.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+
+
+def draw_torn(picture, figure):
+    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete
+    theory's patch."""
+    names = [name for name in curves_of(figure) if name != "complete theory"]
+    theory = rows_of(figure.columns, curve="complete theory")
+    true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)
+    panels = picture.subplots(1, 3, sharex=True, sharey=True)
+    for panel, name, colour in zip(panels, names, COLOURS):
+        rows = rows_of(figure.columns, curve=name)
+        station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
+        loaded = half > 0
+        panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour,
+                  alpha=0.55, linewidth=0, label=f"{int(loaded.sum())} loaded nodes")
+        closed_outline(panel, *true, fine=True, label="complete theory", **THEORY)
+        inside = loaded[np.argmin(np.abs(station))]
+        panel.plot([0], [0], "*", color=INK if inside else CONTACT_COLOUR, markersize=9,
+                   markeredgecolor="white", markeredgewidth=0.5,
+                   label=f"first contact point, {'in' if inside else 'not in'} the patch", linestyle="")
+        panel.set(xlabel="s from the contact, field side + [mm]", ylim=(-10.5, 10.5))
+        panel.set_title(name[0].upper() + name[1:])
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1)
+    panels[0].set_ylabel("rolling direction [mm]")
+
+
+def draw_lateral(picture, figure):
+    """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
+    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-45, 110), (-45, 110))):
+        at = np.array(figure.columns[f"y_{name} [mm]"])
+        noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
+        panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
+                   label="three nodes, coordinates to 1 um")
+        panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0],
+                   label="three nodes 0.2 mm apart, exact profile")
+        panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)),
+                   linewidth=1.2, label="circle through 6 mm")
+        panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
+                  ylabel="curvature [1/m]")
+        titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
+                  "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+        panel.set_title(titles[name])
+    picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+
+
+DRAWN = {
+    "4.4": draw_roll, "4.5": draw_place, "4.6": draw_place_and_errors, "5.6": draw_two_searches,
+    "5.7": draw_picture, "5.8": draw_roll_by_yaw, "5.9": draw_shift_by_yaw, "7.1": draw_picture,
+    "7.2": draw_separation, "7.3": draw_picture, "7.4": draw_separation, "7.5": draw_longitudinal,
+    "7.6": draw_patches, "7.7": draw_longitudinal, "7.8": draw_patches, "7.9": draw_longitudinal_with_picture,
+    "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn, "7.14": draw_torn,
+    "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
+}  # fmt: skip
+SIZES = {
+    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8),
+    "7.3": (7.5, 3.9), "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4),
+    "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6), "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8),
+    "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8), "7.17": (WIDE, 4.8),
+}  # fmt: skip  [in]
