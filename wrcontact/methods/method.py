@@ -90,7 +90,5 @@ class Method(Checked):
         for reason, needed in self.needs.items():
             for parameter, name in needed.items():
                 if chosen[parameter] != name:
-                    raise ValueError(
-                        f"{parameter} is {chosen[parameter]!r}; "
-                        f"permitted with the {self.parameter} {self.name!r}, which {reason}, is {name!r}"
-                    )
+                    raise ValueError(f"{parameter} is {chosen[parameter]!r}; permitted with the "
+                                     f"{self.parameter} {self.name!r}, which {reason}, is {name!r}")
