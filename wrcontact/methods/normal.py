@@ -49,9 +49,23 @@ def node_count():
 
 
 class NormalModel(Method):
-    """How a patch, its pressure and its penetration follow from load and geometry.
+    """How patches, their pressures and the penetration follow from load and geometry.
 
-    ``ladder`` holds a :class:`Resolution` by falling tolerance; the last one is as fine as the model gets.
+    The kernel has a function for each model, called from wrcontact/kernel/normal/normal_contact.py for one
+    wheel whose contact plane is open.  It returns
+
+    * the penetration [m] along the normal of the contact point: that under the given force [N], or the
+      prescribed one where that is a number;
+    * the number of regions, 0 where the wheel overlaps its rail most at the end of a profile;
+    * whether the force is satisfied; the step has the status "not converged" where it is not.
+
+    For each region it leaves what the equilibrium of an elastic wheelset needs: ``stiffness`` [N/m] and
+    ``carried`` [N].  Where patches are wanted it fills them with wrcontact/kernel/patch/filling.py, from one
+    edge to the other: load and its moment by region, area, edges, largest half-length and pressure, and the
+    strips between which outline and creep forces interpolate.
+
+    A subclass has ``tolerance``, as tolerances are stated at the head of this module, and ``ladder``: a
+    :class:`Resolution` by falling tolerance, of which the last one is as fine as the model gets.
     """
 
     parameter = "normal_model"
