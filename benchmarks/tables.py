@@ -4,9 +4,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .creep import ALONE, ELEMENTS, EQUIVALENT, FMU, NEW_ELLIPSES, NEW_PATCHES, QUOTED, SETS, SPEED, TIMED
+from .creep import (
+    ALONE,
+    ELEMENTS,
+    EQUIVALENT,
+    FMU,
+    NEW_ELLIPSES,
+    NEW_PATCHES,
+    QUOTED,
+    SETS,
+    SPEED,
+    TIMED,
+    WITHOUT,
+    WITHOUT_MOMENT,
+)
 from .creep import MODELS as CREEP_MODELS
-from .creep import WITHOUT, WITHOUT_MOMENT
 from .errors import CHOICE_SHIFTS, NEAR, TURNING_MODELS
 from .random_poses import PERCENTILES, TOLERANCE, percentile_name
 from .rows import DEFAULT_ROW
