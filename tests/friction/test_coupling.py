@@ -11,7 +11,7 @@ from tests.helpers.inside import work_of
 from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
-from wrcontact.kernel.tangential.tangential_contact import solve_tangential
+from wrcontact.kernel.creep.creep_force import solve_tangential
 
 MODELS = ("polach", "fastsim", "fastrip", "strips")
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.05}

@@ -150,7 +150,7 @@ def test_setup_that_is_no_array_is_refused():
 def test_constants_are_those_of_the_witness():
     from wrcontact.kernel.prepare import curvatures as prepare_curvatures
     from wrcontact.kernel.prepare import pieces as prepare_pieces
-    from wrcontact.kernel.prepare import placement as prepare_placement
+    from wrcontact.kernel.prepare import zones as prepare_placement
     from wrcontact.kernel.prepare import scan as prepare_scan
 
     pairs = [(prepare_pieces, numpy_profiles,

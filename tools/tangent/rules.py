@@ -14,7 +14,7 @@ PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.
 RATE_SOLVER = "eliminate"
 #: The modules of the room kernel/tangent, which are differentiated and not translated themselves.
-RULE_MODULES = ("contact_rules", "intrinsics", "normal_rules", "wheelset_rules")
+RULE_MODULES = ("contact_rules", "intrinsics", "wheelset_rules")
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated"}

@@ -9,7 +9,7 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
-from ..kernel.prepare import fixed
+from ..kernel.prepare import tables as fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
 from .checks import check_number
 from .patch import CreepPatch

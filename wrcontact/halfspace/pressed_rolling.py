@@ -12,8 +12,8 @@ from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.motion.creepage import rolling_velocity, velocity_along
-from ..kernel.tangential.sections import cut_patch
+from ..kernel.creep.creepage import rolling_velocity, velocity_along
+from ..kernel.creep.cut import cut_patch
 from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
 from .pressed_wheel import PressedWheel

@@ -1,4 +1,4 @@
-"""The tables that depend on no profile, as one array: the kernel's preparation reads it (prepare/fixed.py),
+"""The tables that depend on no profile, as one array: the kernel's preparation reads it (prepare/tables.py),
 and a native FMU holds it."""
 
 from functools import lru_cache

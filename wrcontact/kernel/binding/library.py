@@ -123,7 +123,7 @@ class Kernel:
             self.library.wrcontact_cut_patch(span(workspace))
             return
         work = Work.at(workspace)
-        source = import_module("..tangential.sections", __package__)
+        source = import_module("..creep.cut", __package__)
         source.cut_patch(work.patch, work.contact.strips)
 
     def solve_tangential(self, tables, workspace):
@@ -131,7 +131,7 @@ class Kernel:
         if self.compiled:
             self.library.wrcontact_solve_tangential(span(tables), span(workspace))
             return
-        source = import_module("..tangential.tangential_contact", __package__)
+        source = import_module("..creep.creep_force", __package__)
         work = Work.at(workspace)
         source.solve_tangential(Tables.at(tables), work.rolling, work.patch)
 

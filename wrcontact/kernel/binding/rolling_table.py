@@ -1,5 +1,5 @@
 """The kernel's table of rolling, for all Poisson's ratios; the kernel's preparation makes the record
-RollingTable of it for one of them (prepare/fixed.py)."""
+RollingTable of it for one of them (prepare/tables.py)."""
 
 from functools import lru_cache
 from pathlib import Path

@@ -319,7 +319,7 @@ static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
     if (compliant__is_damped(right_tables))
     {
-        tangent_moving__open_given_motion_t(left_tables, right_tables, work, work_t);
+        tangent_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
     }
     tangent_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
     tangent_compliant__load_at_height_t(left_tables, work, work_t, state, INT64_C(0), height, height_t);
@@ -337,9 +337,9 @@ static inline bool tangent_wheelset_rules__differentiate_t(array_double_1d left_
     bool outcome;
     n1 = tangent_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
     outcome = n1;
-    if (friction_load__carries_friction(right_tables, work))
+    if (requested__carries_friction(right_tables, work))
     {
-        for (i = INT64_C(0); i < friction_load__LOAD_RATES; i += INT64_C(1))
+        for (i = INT64_C(0); i < requested__LOAD_RATES; i += INT64_C(1))
         {
             tangent_wheelset_rules__follow_load_t(work, work_t);
             n2 = tangent_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
@@ -362,7 +362,7 @@ static inline int64_t tangent_wheelset_rules__follow_load_t(array_double_1d work
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        tangent_friction_load__carried_share_t(&v1, &v1_t, work, work_t, index);
+        tangent_requested__carried_share_t(&v1, &v1_t, work, work_t, index);
         share_t = v1_t;
         share = v1;
         (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) = (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * share_t / share;
@@ -409,7 +409,7 @@ static inline bool tangent_wheelset_rules__follow_wheelset_t(array_double_1d lef
     {
         tangent_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t, state);
     }
-    tangent_moving__move_patches_t(left_tables, right_tables, work, work_t, state);
+    tangent_rubbing__move_patches_t(left_tables, right_tables, work, work_t, state);
     tangent_rubbing__rub_patches_t(left_tables, right_tables, work, work_t);
     tangent_forces__sum_forces_t(right_tables, work, work_t);
     return outcome;

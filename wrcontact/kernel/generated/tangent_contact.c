@@ -2,310 +2,6 @@
 #include "tangents.h"
 
 
-/* ---- From tangent_arc_length.py; change that one.
- *
- * Tangents of arc_length.py.
- */
-
-/* Tangent of ``panel_length``. */
-static inline int64_t tangent_arc_length__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t)
-{
-    double v1;
-    double middle_t;
-    double middle;
-    double v2;
-    double half_t;
-    double half;
-    double total_t;
-    double total;
-    int64_t i;
-    double v3;
-    double side_t;
-    double side;
-    int64_t k;
-    double away;
-    double weight;
-    double v4;
-    double v4_t;
-    v1 = low + high;
-    middle_t = 0.5 * (low_t + high_t);
-    middle = 0.5 * v1;
-    v2 = high - low;
-    half_t = 0.5 * (high_t - low_t);
-    half = 0.5 * v2;
-    total_t = 0.0;
-    total = 0.0;
-    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
-    {
-        v3 = (double)(i);
-        side_t = half_t * v3;
-        side = half * v3;
-        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
-        {
-            away = arc_length__GAUSS_1;
-            weight = arc_length__WEIGHT_1;
-            if (k == INT64_C(1))
-            {
-                away = arc_length__GAUSS_2;
-                weight = arc_length__WEIGHT_2;
-            }
-            if (k == INT64_C(2))
-            {
-                away = arc_length__GAUSS_3;
-                weight = arc_length__WEIGHT_3;
-            }
-            tangent_curves__curve_speed_t(&v4, &v4_t, work, work_t, tables, curve, middle + side * away, middle_t + side_t * away);
-            total_t = total_t + weight * v4_t;
-            total = total + weight * v4;
-        }
-    }
-    (*result_0) = half * total;
-    (*result_1) = half_t * total + half * total_t;
-    return 0;
-}
-
-/* Tangent of ``arc_length``. */
-static inline int64_t tangent_arc_length__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t)
-{
-    double low_t;
-    double low;
-    double high_t;
-    double high;
-    int64_t piece;
-    double end_t;
-    double end;
-    double v1;
-    double v1_t;
-    low_t = start_t;
-    low = start;
-    high_t = stop_t;
-    high = stop;
-    if (stop < start)
-    {
-        low_t = stop_t;
-        low = stop;
-        high_t = start_t;
-        high = start;
-    }
-    (*total_t) = 0.0;
-    (*total) = 0.0;
-    piece = profile_table__find_piece(tables, curves__curve_profile(tables, curve), low);
-    while(low < high)
-    {
-        end_t = high_t;
-        end = high;
-        piece = piece + layout__PIECE_SIZE;
-        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
-        {
-            end_t = 0.0;
-            end = (*cspan_at(&tables, piece + layout__PIECE_START));
-        }
-        tangent_arc_length__panel_length_t(&v1, &v1_t, work, work_t, tables, curve, low, low_t, end, end_t);
-        (*total_t) = (*total_t) + v1_t;
-        (*total) = (*total) + v1;
-        low_t = end_t;
-        low = end;
-    }
-    if (stop < start)
-    {
-        (*total_t) = -(*total_t);
-        (*total) = -(*total);
-    }
-    return 0;
-}
-
-/* Tangent of ``rail_length``. */
-static inline int64_t tangent_arc_length__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t)
-{
-    double v1;
-    double v1_t;
-    double v2;
-    double v2_t;
-    tangent_cubic_table__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop, stop_t);
-    tangent_cubic_table__read_cubic_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start, start_t);
-    (*result_0) = v1 - v2;
-    (*result_1) = v1_t - v2_t;
-    return 0;
-}
-
-/* Tangent of ``rail_abscissa``. */
-static inline int64_t tangent_arc_length__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t)
-{
-    int64_t rail;
-    int64_t arcs;
-    int64_t abscissae;
-    double v1;
-    double v1_t;
-    double arc_t;
-    double arc;
-    double v2;
-    double v2_t;
-    double found;
-    double found_t;
-    double speed;
-    double speed_t;
-    double v3;
-    double v4;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
-    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
-    tangent_cubic_table__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
-    arc_t = v1_t + length_t;
-    arc = v1 + length;
-    if (arc < 0.0)
-    {
-        (*x_t) = arc_t;
-        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
-    }
-    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
-    {
-        (*x_t) = arc_t;
-        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
-    }
-    else
-    {
-        tangent_cubic_table__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
-        (*x_t) = v2_t;
-        (*x) = v2;
-        tangent_cubic_table__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, (*x), (*x_t));
-        v3 = arc - found;
-        v4 = v3 / speed;
-        (*x_t) = (*x_t) + (arc_t - found_t - v4 * speed_t) / speed;
-        (*x) = (*x) + v4;
-    }
-    return 0;
-}
-
-
-/* ---- From tangent_contact_plane.py; change that one.
- *
- * Tangents of contact_plane.py.
- */
-
-/* Tangent of ``open_frame``. */
-static inline int64_t tangent_contact_plane__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
-{
-    double bend;
-    double bend_t;
-    double z_track;
-    double z_track_t;
-    double outline_slope;
-    double outline_slope_t;
-    double stretch;
-    double stretch_t;
-    double outline_rate;
-    double outline_rate_t;
-    double abscissa_t;
-    double abscissa;
-    double height;
-    double height_t;
-    double rail_bend;
-    double rail_bend_t;
-    double v1;
-    double v2;
-    double v3;
-    double cosine_t;
-    double cosine;
-    double sine_t;
-    double sine;
-    tangent_profile_table__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    tangent_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
-    (*y_track_t) = (*y_track_t) + aside_t;
-    (*y_track) = (*y_track) + aside;
-    abscissa_t = (*y_track_t);
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    tangent_profile_table__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-    v1 = 1.0 + (*rail_slope) * (*rail_slope);
-    v2 = sqrt(v1);
-    v3 = 1.0 / v2;
-    cosine_t = (-v3) * tangent_rates__root_rate(v2, (*rail_slope_t) * (*rail_slope) + (*rail_slope) * (*rail_slope_t)) / v2;
-    cosine = v3;
-    sine_t = (*rail_slope_t) * cosine + (*rail_slope) * cosine_t;
-    sine = (*rail_slope) * cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine_t + ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track_t + shift_t - height_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-    tangent_traces__start_traces_t(work, work_t, 0.0, 0.0, abscissa, abscissa_t, y, y_t);
-    (*mismatch_t) = (*rail_slope_t) - outline_slope_t;
-    (*mismatch) = (*rail_slope) - outline_slope;
-    if (!(stretch > 0.0))
-    {
-        (*mismatch_t) = 0.0;
-        (*mismatch) = gap__FOLDED;
-    }
-    return 0;
-}
-
-/* Tangent of ``normal_gap``. */
-static inline int64_t tangent_contact_plane__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
-{
-    double rail_height;
-    double rail_height_t;
-    double rail_rate;
-    double rail_rate_t;
-    double rail_bend;
-    double rail_bend_t;
-    bool on_rail;
-    double wheel_height;
-    double wheel_height_t;
-    double wheel_rate;
-    double wheel_rate_t;
-    double wheel_bend;
-    double wheel_bend_t;
-    bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
-    tangent_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, work, work_t, tables, station, station_t, tolerance, tolerance_t);
-    tangent_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, work, work_t, tables, station, station_t, tolerance, tolerance_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
-    if ((!on_rail) || (!on_wheel))
-    {
-        (*gap_t) = 0.0;
-        (*gap) = contact_plane__NO_GAP;
-    }
-    (*result_2) = wheel_rate - rail_rate;
-    (*result_3) = wheel_rate_t - rail_rate_t;
-    (*result_4) = wheel_bend - rail_bend;
-    (*result_5) = wheel_bend_t - rail_bend_t;
-    return 0;
-}
-
-
 /* ---- From tangent_curves.py; change that one.
  *
  * Tangents of curves.py.
@@ -320,7 +16,7 @@ static inline int64_t tangent_curves__curve_jet_t(double* across, double* across
     double y_track_t;
     double z_track;
     double z_track_t;
-    tangent_profile_table__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, curve), u, u_t);
+    tangent_tables__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, curve), u, u_t);
     (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
@@ -361,7 +57,7 @@ static inline int64_t tangent_curves__curve_speed_t(double* speed, double* speed
     (*speed) = 1.0;
     if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
-        tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, curve), u, u_t);
+        tangent_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, curve), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
         (*speed_t) = tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t);
@@ -447,156 +143,177 @@ static inline int64_t tangent_curves__open_curve_t(array_double_1d work, array_d
     return INT64_C(0);
 }
 
-
-/* ---- From tangent_deep_points.py; change that one.
- *
- * Tangents of deep_points.py.
- */
-
-/* Tangent of ``copy_point``. */
-static inline int64_t tangent_deep_points__copy_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t copy)
-{
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
-    return INT64_C(0);
-}
-
-/* Tangent of ``keep_deepest``. */
-static inline int64_t tangent_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t)
-{
-    tangent_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_followed_overlaps.py; change that one.
- *
- * Tangents of followed_overlaps.py.
- */
-
-/* Tangent of ``keep_points``. */
-static inline int64_t tangent_followed_overlaps__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept)
-{
-    int64_t entry_end;
-    int64_t entry;
-    (*cspan_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = 0.0;
-    (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
-    {
-        tangent_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``follow_overlaps``. */
-static inline int64_t tangent_followed_overlaps__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t)
-{
-    int64_t entry_end;
-    int64_t entry;
-    int64_t point;
-    double x_t;
-    double x;
-    double rail;
-    double rail_t;
-    double wheel;
-    double wheel_t;
-    double depth;
-    double depth_t;
-    bool turned;
-    int64_t result;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        tangent_deep_points__copy_point_t(work, work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry, point);
-        x_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
-        x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        tangent_touching__turning_point_t(&rail, &rail_t, &wheel, &wheel_t, &depth, &depth_t, &turned, work, work_t, tables, place, x - followed_overlaps__FOLLOWED, x_t, x + followed_overlaps__FOLLOWED, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
-        if ((!turned) || (!(depth > 0.0)))
-        {
-            return INT64_C(0);
-        }
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = rail_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = wheel_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = depth_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
-    }
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
-    {
-        tangent_followed_overlaps__follow_saddle_t(work, work_t, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height, height_t);
-    }
-    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    return result;
-}
-
-/* Tangent of ``follow_saddle``. */
-static inline int64_t tangent_followed_overlaps__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t)
+/* Tangent of ``panel_length``. */
+static inline int64_t tangent_curves__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t)
 {
     double v1;
-    double y_t;
-    double y;
-    double reach_t;
-    double reach;
-    double x;
-    double x_t;
-    double depth;
-    double depth_t;
-    bool turned;
+    double middle_t;
+    double middle;
     double v2;
-    v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-    y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
-    y = 0.5 * v1;
-    reach_t = 0.0;
-    reach = followed_overlaps__FOLLOWED;
-    if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
+    double half_t;
+    double half;
+    double total_t;
+    double total;
+    int64_t i;
+    double v3;
+    double side_t;
+    double side;
+    int64_t k;
+    double away;
+    double weight;
+    double v4;
+    double v4_t;
+    v1 = low + high;
+    middle_t = 0.5 * (low_t + high_t);
+    middle = 0.5 * v1;
+    v2 = high - low;
+    half_t = 0.5 * (high_t - low_t);
+    half = 0.5 * v2;
+    total_t = 0.0;
+    total = 0.0;
+    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
     {
-        reach_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
-        reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+        v3 = (double)(i);
+        side_t = half_t * v3;
+        side = half * v3;
+        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        {
+            away = curves__GAUSS_1;
+            weight = curves__WEIGHT_1;
+            if (k == INT64_C(1))
+            {
+                away = curves__GAUSS_2;
+                weight = curves__WEIGHT_2;
+            }
+            if (k == INT64_C(2))
+            {
+                away = curves__GAUSS_3;
+                weight = curves__WEIGHT_3;
+            }
+            tangent_curves__curve_speed_t(&v4, &v4_t, work, work_t, tables, curve, middle + side * away, middle_t + side_t * away);
+            total_t = total_t + weight * v4_t;
+            total = total + weight * v4;
+        }
     }
-    if ((*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) < reach)
-    {
-        reach_t = (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
-        reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    }
-    tangent_touching__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
-    if (!turned)
-    {
-        v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        tangent_touching__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t, -1.0, 0.0);
-    }
-    (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
-    (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = depth_t;
-    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
-    return INT64_C(0);
+    (*result_0) = half * total;
+    (*result_1) = half_t * total + half * total_t;
+    return 0;
 }
 
+/* Tangent of ``arc_length``. */
+static inline int64_t tangent_curves__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t)
+{
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    int64_t piece;
+    double end_t;
+    double end;
+    double v1;
+    double v1_t;
+    low_t = start_t;
+    low = start;
+    high_t = stop_t;
+    high = stop;
+    if (stop < start)
+    {
+        low_t = stop_t;
+        low = stop;
+        high_t = start_t;
+        high = start;
+    }
+    (*total_t) = 0.0;
+    (*total) = 0.0;
+    piece = tables__find_piece(tables, curves__curve_profile(tables, curve), low);
+    while(low < high)
+    {
+        end_t = high_t;
+        end = high;
+        piece = piece + layout__PIECE_SIZE;
+        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
+        {
+            end_t = 0.0;
+            end = (*cspan_at(&tables, piece + layout__PIECE_START));
+        }
+        tangent_curves__panel_length_t(&v1, &v1_t, work, work_t, tables, curve, low, low_t, end, end_t);
+        (*total_t) = (*total_t) + v1_t;
+        (*total) = (*total) + v1;
+        low_t = end_t;
+        low = end;
+    }
+    if (stop < start)
+    {
+        (*total_t) = -(*total_t);
+        (*total) = -(*total);
+    }
+    return 0;
+}
 
-/* ---- From tangent_moves.py; change that one.
- *
- * Tangents of moves.py.
- */
+/* Tangent of ``rail_length``. */
+static inline int64_t tangent_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t)
+{
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    tangent_tables__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop, stop_t);
+    tangent_tables__read_cubic_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start, start_t);
+    (*result_0) = v1 - v2;
+    (*result_1) = v1_t - v2_t;
+    return 0;
+}
+
+/* Tangent of ``rail_abscissa``. */
+static inline int64_t tangent_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t)
+{
+    int64_t rail;
+    int64_t arcs;
+    int64_t abscissae;
+    double v1;
+    double v1_t;
+    double arc_t;
+    double arc;
+    double v2;
+    double v2_t;
+    double found;
+    double found_t;
+    double speed;
+    double speed_t;
+    double v3;
+    double v4;
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
+    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
+    tangent_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
+    arc_t = v1_t + length_t;
+    arc = v1 + length;
+    if (arc < 0.0)
+    {
+        (*x_t) = arc_t;
+        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
+    }
+    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
+    {
+        (*x_t) = arc_t;
+        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
+    }
+    else
+    {
+        tangent_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
+        (*x_t) = v2_t;
+        (*x) = v2;
+        tangent_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, (*x), (*x_t));
+        v3 = arc - found;
+        v4 = v3 / speed;
+        (*x_t) = (*x_t) + (arc_t - found_t - v4 * speed_t) / speed;
+        (*x) = (*x) + v4;
+    }
+    return 0;
+}
 
 /* Tangent of ``move_to_station``. */
-static inline bool tangent_moves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t)
+static inline bool tangent_curves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t)
 {
     double way_t;
     double way;
@@ -615,7 +332,7 @@ static inline bool tangent_moves__move_to_station_t(array_double_1d work, array_
     exists = 1;
     if (spacing == 0.0)
     {
-        n1 = tangent_moves__arc_rule_t(work, work_t, tables, curve, way, way_t);
+        n1 = tangent_curves__arc_rule_t(work, work_t, tables, curve, way, way_t);
         exists = n1;
     }
     else
@@ -631,7 +348,7 @@ static inline bool tangent_moves__move_to_station_t(array_double_1d work, array_
         {
             if (exists)
             {
-                n2 = tangent_moves__chord_rule_t(work, work_t, tables, curve, chord, chord_t);
+                n2 = tangent_curves__chord_rule_t(work, work_t, tables, curve, chord, chord_t);
                 exists = n2;
             }
         }
@@ -640,7 +357,7 @@ static inline bool tangent_moves__move_to_station_t(array_double_1d work, array_
 }
 
 /* Tangent of ``arc_rule``. */
-static inline bool tangent_moves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t)
+static inline bool tangent_curves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t)
 {
     double start_t;
     double start;
@@ -655,7 +372,7 @@ static inline bool tangent_moves__arc_rule_t(array_double_1d work, array_double_
     bool exists;
     start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    n1 = moves__move_arc(work, tables, curve, length);
+    n1 = curves__move_arc(work, tables, curve, length);
     exists = n1;
     if (exists)
     {
@@ -670,7 +387,7 @@ static inline bool tangent_moves__arc_rule_t(array_double_1d work, array_double_
         }
         else
         {
-            tangent_arc_length__arc_length_t(&v3, &v3_t, work, work_t, tables, curve, start, start_t, u, 0.0);
+            tangent_curves__arc_length_t(&v3, &v3_t, work, work_t, tables, curve, start, start_t, u, 0.0);
             v4 = curves__curve_speed(work, tables, curve, u);
             place_t = place_t - v3_t / v4;
             place = place - v3 / v4;
@@ -682,7 +399,7 @@ static inline bool tangent_moves__arc_rule_t(array_double_1d work, array_double_
 }
 
 /* Tangent of ``chord_rule``. */
-static inline bool tangent_moves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t)
+static inline bool tangent_curves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t)
 {
     double start_t;
     double start;
@@ -715,7 +432,7 @@ static inline bool tangent_moves__chord_rule_t(array_double_1d work, array_doubl
     start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     tangent_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, start, start_t);
-    n1 = moves__move_chord(work, tables, curve, chord);
+    n1 = curves__move_chord(work, tables, curve, chord);
     exists = n1;
     if (exists)
     {
@@ -741,7 +458,7 @@ static inline bool tangent_moves__chord_rule_t(array_double_1d work, array_doubl
 }
 
 /* Tangent of ``across_rule``. */
-static inline bool tangent_moves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t)
+static inline bool tangent_curves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t)
 {
     bool n1;
     double u;
@@ -757,7 +474,7 @@ static inline bool tangent_moves__across_rule_t(array_double_1d work, array_doub
     double bend_t;
     double v2;
     bool exists;
-    n1 = moves__move_across(work, tables, lateral);
+    n1 = curves__move_across(work, tables, lateral);
     exists = n1;
     if (exists)
     {
@@ -768,6 +485,418 @@ static inline bool tangent_moves__across_rule_t(array_double_1d work, array_doub
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
+}
+
+
+/* ---- From tangent_deep_points.py; change that one.
+ *
+ * Tangents of deep_points.py.
+ */
+
+/* Tangent of ``copy_point``. */
+static inline int64_t tangent_deep_points__copy_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t copy)
+{
+    (*cspan_at(&work_t, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+    (*cspan_at(&work, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+    (*cspan_at(&work_t, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
+    (*cspan_at(&work, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
+    (*cspan_at(&work_t, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
+    (*cspan_at(&work, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
+    (*cspan_at(&work_t, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
+    (*cspan_at(&work, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+    (*cspan_at(&work_t, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN));
+    (*cspan_at(&work, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
+    return INT64_C(0);
+}
+
+/* Tangent of ``keep_deepest``. */
+static inline int64_t tangent_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t)
+{
+    tangent_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
+    return INT64_C(0);
+}
+
+/* Tangent of ``keep_points``. */
+static inline int64_t tangent_deep_points__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept)
+{
+    int64_t entry_end;
+    int64_t entry;
+    (*cspan_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = 0.0;
+    (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
+    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
+    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    {
+        tangent_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_overlaps``. */
+static inline int64_t tangent_deep_points__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t)
+{
+    int64_t entry_end;
+    int64_t entry;
+    int64_t point;
+    double x_t;
+    double x;
+    double rail;
+    double rail_t;
+    double wheel;
+    double wheel_t;
+    double depth;
+    double depth_t;
+    bool turned;
+    int64_t result;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))));
+    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)));
+    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        tangent_deep_points__copy_point_t(work, work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry, point);
+        x_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+        x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+        tangent_pressed__turning_point_t(&rail, &rail_t, &wheel, &wheel_t, &depth, &depth_t, &turned, work, work_t, tables, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
+        if ((!turned) || (!(depth > 0.0)))
+        {
+            return INT64_C(0);
+        }
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = rail_t;
+        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = wheel_t;
+        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = depth_t;
+        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
+    }
+    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
+    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    {
+        tangent_deep_points__follow_saddle_t(work, work_t, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height, height_t);
+    }
+    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
+    return result;
+}
+
+/* Tangent of ``follow_saddle``. */
+static inline int64_t tangent_deep_points__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t)
+{
+    double v1;
+    double y_t;
+    double y;
+    double reach_t;
+    double reach;
+    double x;
+    double x_t;
+    double depth;
+    double depth_t;
+    bool turned;
+    double v2;
+    v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
+    y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
+    y = 0.5 * v1;
+    reach_t = 0.0;
+    reach = deep_points__FOLLOWED;
+    if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
+    {
+        reach_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+        reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+    }
+    if ((*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) < reach)
+    {
+        reach_t = (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
+        reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+    }
+    tangent_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
+    if (!turned)
+    {
+        v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
+        tangent_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t, -1.0, 0.0);
+    }
+    (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
+    (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
+    (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = depth_t;
+    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
+    return INT64_C(0);
+}
+
+
+/* ---- From tangent_frame.py; change that one.
+ *
+ * Tangents of frame.py.
+ */
+
+/* Tangent of ``open_frame``. */
+static inline int64_t tangent_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+{
+    double bend;
+    double bend_t;
+    double z_track;
+    double z_track_t;
+    double outline_slope;
+    double outline_slope_t;
+    double stretch;
+    double stretch_t;
+    double outline_rate;
+    double outline_rate_t;
+    double abscissa_t;
+    double abscissa;
+    double height;
+    double height_t;
+    double rail_bend;
+    double rail_bend_t;
+    double v1;
+    double v2;
+    double v3;
+    double cosine_t;
+    double cosine;
+    double sine_t;
+    double sine;
+    tangent_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
+    (*y_track_t) = (*y_track_t) + aside_t;
+    (*y_track) = (*y_track) + aside;
+    abscissa_t = (*y_track_t);
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    tangent_tables__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    v1 = 1.0 + (*rail_slope) * (*rail_slope);
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    cosine_t = (-v3) * tangent_rates__root_rate(v2, (*rail_slope_t) * (*rail_slope) + (*rail_slope) * (*rail_slope_t)) / v2;
+    cosine = v3;
+    sine_t = (*rail_slope_t) * cosine + (*rail_slope) * cosine_t;
+    sine = (*rail_slope) * cosine;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine_t + ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track_t + shift_t - height_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    tangent_traces__start_traces_t(work, work_t, 0.0, 0.0, abscissa, abscissa_t, y, y_t);
+    (*mismatch_t) = (*rail_slope_t) - outline_slope_t;
+    (*mismatch) = (*rail_slope) - outline_slope;
+    if (!(stretch > 0.0))
+    {
+        (*mismatch_t) = 0.0;
+        (*mismatch) = gap__FOLDED;
+    }
+    return 0;
+}
+
+/* Tangent of ``normal_gap``. */
+static inline int64_t tangent_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
+{
+    double rail_height;
+    double rail_height_t;
+    double rail_rate;
+    double rail_rate_t;
+    double rail_bend;
+    double rail_bend_t;
+    bool on_rail;
+    double wheel_height;
+    double wheel_height_t;
+    double wheel_rate;
+    double wheel_rate_t;
+    double wheel_bend;
+    double wheel_bend_t;
+    bool on_wheel;
+    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    tangent_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, work, work_t, tables, station, station_t, tolerance, tolerance_t);
+    tangent_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, work, work_t, tables, station, station_t, tolerance, tolerance_t);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    if ((!on_rail) || (!on_wheel))
+    {
+        (*gap_t) = 0.0;
+        (*gap) = frame__NO_GAP;
+    }
+    (*result_2) = wheel_rate - rail_rate;
+    (*result_3) = wheel_rate_t - rail_rate_t;
+    (*result_4) = wheel_bend - rail_bend;
+    (*result_5) = wheel_bend_t - rail_bend_t;
+    return 0;
+}
+
+/* Tangent of ``keep_frame``. */
+static inline int64_t tangent_frame__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
+{
+    int64_t kept;
+    int64_t i;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, kept + i)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
+        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``use_frame``. */
+static inline int64_t tangent_frame__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
+{
+    int64_t kept;
+    int64_t i;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work_t, kept + i));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``locate_along_track``. */
+static inline int64_t tangent_frame__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+{
+    int64_t index;
+    int64_t region;
+    double v1;
+    double v1_t;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        tangent_locus__outline_x_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) = v1_t;
+        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``enter_plane``. */
+static inline int64_t tangent_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot)
+{
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    {
+        tangent_frame__use_frame_t(work, work_t, slot);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``leave_plane``. */
+static inline int64_t tangent_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
+{
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    {
+        tangent_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``incline_region``. */
+static inline int64_t tangent_frame__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double cosine_t;
+    double cosine;
+    double v4;
+    double v4_t;
+    v1 = 1.0 + slope * slope;
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    cosine = v3;
+    (*cspan_at(&work_t, region + layout__REGION_INCLINATION)) = slope_t;
+    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
+    (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
+    (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_COS)) = cosine_t;
+    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work_t, region + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
+    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work_t, region + layout__REGION_SHARE)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    {
+        tangent_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``measure_contact``. */
+static inline int64_t tangent_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+{
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    tangent_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
+    return INT64_C(0);
+}
+
+/* Tangent of ``open_contact_region``. */
+static inline int64_t tangent_frame__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region)
+{
+    double v1;
+    (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_BEND)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
+    (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
+    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    tangent_frame__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    return INT64_C(0);
 }
 
 
@@ -853,77 +982,6 @@ static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d work, ar
 }
 
 
-/* ---- From tangent_planes.py; change that one.
- *
- * Tangents of planes.py.
- */
-
-/* Tangent of ``keep_frame``. */
-static inline int64_t tangent_planes__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, kept + i)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``use_frame``. */
-static inline int64_t tangent_planes__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work_t, kept + i));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``locate_along_track``. */
-static inline int64_t tangent_planes__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
-{
-    int64_t index;
-    int64_t region;
-    double v1;
-    double v1_t;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        tangent_locus__outline_x_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-        (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) = v1_t;
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``enter_plane``. */
-static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot)
-{
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
-    {
-        tangent_planes__use_frame_t(work, work_t, slot);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``leave_plane``. */
-static inline int64_t tangent_planes__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
-{
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
-    {
-        tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
-    }
-    return INT64_C(0);
-}
-
-
 /* ---- From tangent_pressed.py; change that one.
  *
  * Tangents of pressed.py.
@@ -948,7 +1006,7 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0, double* r
     if ((*found))
     {
         tangent_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, bend, bend_t);
-        tangent_longitudinal_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, v2, v2_t);
+        tangent_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, v2, v2_t);
         (*curvature_t) = v1_t;
         (*curvature) = v1;
     }
@@ -1041,7 +1099,7 @@ static inline int64_t tangent_pressed__meet_wheel_t(double* result_0_0001, doubl
     double relative_kappa_t;
     double relative_kappa;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    tangent_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -1053,7 +1111,7 @@ static inline int64_t tangent_pressed__meet_wheel_t(double* result_0_0001, doubl
     kappa = v5 * cosine;
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
+        tangent_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - abscissa_t;
         across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
@@ -1262,8 +1320,8 @@ static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* res
             high_t = 0.0;
             high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
-        tangent_profile_table__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
-        tangent_profile_table__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
+        tangent_tables__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
+        tangent_tables__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
         v1 = high_slope - low_slope;
         v2 = high - low;
         v3 = v1 / v2;
@@ -1305,11 +1363,11 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    tangent_curves__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
     abscissa_t = v1_t;
     abscissa = v1;
     (*gap_t) = 0.0;
-    (*gap) = contact_plane__NO_GAP;
+    (*gap) = frame__NO_GAP;
     (*rate_t) = 0.0;
     (*rate) = 0.0;
     (*bend_t) = 0.0;
@@ -1350,6 +1408,135 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     return 0;
 }
 
+/* Tangent of ``limited``. */
+static inline int64_t tangent_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t)
+{
+    if (step > limit)
+    {
+        step_t = limit_t;
+        step = limit;
+    }
+    if (step < -limit)
+    {
+        step_t = -limit_t;
+        step = -limit;
+    }
+    (*result_0) = step;
+    (*result_1) = step_t;
+    return 0;
+}
+
+/* Tangent of ``turning_point``. */
+static inline int64_t tangent_pressed__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
+{
+    double v1;
+    double x_t;
+    double x;
+    double overlap_t;
+    double overlap;
+    double rise_t;
+    double rise;
+    double before_t;
+    double before;
+    bool moved_low;
+    bool moved_high;
+    int64_t i;
+    double bend;
+    double bend_t;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double wheel_bend;
+    double wheel_bend_t;
+    bool found;
+    double v2;
+    double following_t;
+    double following;
+    double z_rail;
+    double z_rail_t;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double newton_t;
+    double newton;
+    bool turned;
+    v1 = low + high;
+    x_t = 0.5 * (low_t + high_t);
+    x = 0.5 * v1;
+    overlap_t = 0.0;
+    overlap = 0.0;
+    rise_t = 0.0;
+    rise = 1.0;
+    before_t = 0.0;
+    before = 0.0;
+    moved_low = 0;
+    moved_high = 0;
+    for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
+    {
+        tangent_pressed__meet_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &bend, &bend_t, &z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, &found, work, work_t, tables, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+        if (!found)
+        {
+            (*result_0) = x;
+            (*result_1) = x_t;
+            (*result_2_0001) = y;
+            (*result_3_0001) = y_t;
+            (*result_4) = overlap;
+            (*result_5) = overlap_t;
+            (*result_6) = 0;
+            return 0;
+        }
+        if (sign * rise > 0.0)
+        {
+            low_t = x_t;
+            low = x;
+            moved_low = 1;
+        }
+        else
+        {
+            high_t = x_t;
+            high = x;
+            moved_high = 1;
+        }
+        v2 = low + high;
+        following_t = 0.5 * (low_t + high_t);
+        following = 0.5 * v2;
+        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
+        {
+            tangent_tables__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
+            v3 = 1.0 + slope * slope;
+            v4 = sqrt(v3);
+            v5 = bend * v4;
+            v6 = rise / v5;
+            newton_t = x_t - (rise_t - v6 * (bend_t * v4 + bend * tangent_rates__root_rate(v4, slope_t * slope + slope * slope_t))) / v5;
+            newton = x - v6;
+            if ((newton > low) && (newton < high))
+            {
+                following_t = newton_t;
+                following = newton;
+            }
+        }
+        if (fabs(following - x) < pressed__DEEP_SHARP)
+        {
+            break;
+        }
+        x_t = following_t;
+        x = following;
+        before_t = tangent_rates__size_rate(rise, rise_t);
+        before = fabs(rise);
+    }
+    turned = (fabs(rise) < pressed__ZERO_RISE) || ((fabs(rise) < pressed__LEVEL_RISE) && moved_low && moved_high);
+    (*result_0) = x;
+    (*result_1) = x_t;
+    (*result_2_0001) = y;
+    (*result_3_0001) = y_t;
+    (*result_4) = overlap;
+    (*result_5) = overlap_t;
+    (*result_6) = turned;
+    return 0;
+}
+
 /* Tangent of ``meet_rule``. */
 static inline int64_t tangent_pressed__meet_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* z, double* z_t, double* slope, double* slope_t, double* bend, double* bend_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
@@ -1382,8 +1569,8 @@ static inline int64_t tangent_pressed__meet_rule_t(double* result_0, double* res
     (*bend_t) = 0.0;
     if ((*found))
     {
-        tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        tangent_profile_table__height_slope_bend_t(z, z_t, slope, slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+        tangent_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+        tangent_tables__height_slope_bend_t(z, z_t, slope, slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
         tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, rate, rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), (*bend), (*bend_t));
         v1 = z_track + height - z_rail;
         residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
@@ -1421,9 +1608,9 @@ static inline int64_t tangent_pressed_regions__touching_shift_t(double* result_0
     double z_rail_t;
     double m;
     double m_t;
-    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
+    tangent_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
     tangent_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), z, z_t, slope, slope_t);
-    tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    tangent_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
     (*result_1) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) - y_track_t;
     (*result_2) = z_rail - z_track;
@@ -1476,15 +1663,15 @@ static inline int64_t tangent_pressed_regions__sink_deeper_t(array_double_1d wor
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
     tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
-    tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
+    tangent_frame__keep_frame_t(work, work_t, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        tangent_planes__use_frame_t(work, work_t, index);
+        tangent_frame__use_frame_t(work, work_t, index);
         tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
-        tangent_planes__keep_frame_t(work, work_t, index);
+        tangent_frame__keep_frame_t(work, work_t, index);
     }
-    tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
+    tangent_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
     return INT64_C(0);
 }
 
@@ -1503,8 +1690,8 @@ static inline int64_t tangent_pressed_regions__open_pressed_region_t(array_doubl
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
     (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    tangent_regions__incline_region_t(work, work_t, tables, region, m, m_t);
+    tangent_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    tangent_frame__incline_region_t(work, work_t, tables, region, m, m_t);
     return INT64_C(0);
 }
 
@@ -1545,7 +1732,7 @@ static inline int64_t tangent_pressed_regions__give_own_frame_t(array_double_1d 
     depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    tangent_contact_plane__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    tangent_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     v6 = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
@@ -1553,7 +1740,7 @@ static inline int64_t tangent_pressed_regions__give_own_frame_t(array_double_1d 
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = v6;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * depth + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth_t - (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    tangent_arc_length__rail_length_t(&v7, &v7_t, tables, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    tangent_curves__rail_length_t(&v7, &v7_t, tables, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v7_t;
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
     tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
@@ -1582,7 +1769,7 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
     int64_t count;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
-    tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
+    tangent_frame__keep_frame_t(work, work_t, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
@@ -1599,117 +1786,29 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
         (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
-        (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
+        (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
         (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
+        (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
         if (index > INT64_C(0))
         {
-            tangent_arc_length__rail_length_t(&v1, &v1_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            tangent_curves__rail_length_t(&v1, &v1_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
             (*cspan_at(&work_t, region + layout__REGION_LOW)) = v1_t;
             (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
         }
         if (index < count - INT64_C(1))
         {
-            tangent_arc_length__rail_length_t(&v2, &v2_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
+            tangent_curves__rail_length_t(&v2, &v2_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
             (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v2_t;
             (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
         }
-        tangent_planes__keep_frame_t(work, work_t, index);
-        tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
+        tangent_frame__keep_frame_t(work, work_t, index);
+        tangent_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }
     if (count > INT64_C(1))
     {
-        tangent_planes__locate_along_track_t(work, work_t, tables, count);
+        tangent_frame__locate_along_track_t(work, work_t, tables, count);
     }
     return count;
-}
-
-
-/* ---- From tangent_regions.py; change that one.
- *
- * Tangents of regions.py.
- */
-
-/* Tangent of ``incline_region``. */
-static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t)
-{
-    double v1;
-    double v2;
-    double v3;
-    double cosine_t;
-    double cosine;
-    double v4;
-    double v4_t;
-    v1 = 1.0 + slope * slope;
-    v2 = sqrt(v1);
-    v3 = 1.0 / v2;
-    cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
-    cosine = v3;
-    (*cspan_at(&work_t, region + layout__REGION_INCLINATION)) = slope_t;
-    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
-    (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
-    (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_COS)) = cosine_t;
-    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work_t, region + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
-    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work_t, region + layout__REGION_SHARE)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
-    {
-        tangent_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``measure_contact``. */
-static inline int64_t tangent_regions__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
-{
-    double gap;
-    double gap_t;
-    double rate;
-    double rate_t;
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__PLACE_TRACE, 0.0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
-    return INT64_C(0);
-}
-
-/* Tangent of ``open_contact_region``. */
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region)
-{
-    double v1;
-    (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_BEND)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
-    (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
-    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    tangent_regions__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    return INT64_C(0);
 }
 
 
@@ -1753,7 +1852,7 @@ static inline int64_t tangent_separation__vertical_rise_t(double* result_0, doub
     v1 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION));
     lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
     lateral = v1 * per_station;
-    n2 = tangent_moves__across_rule_t(work, work_t, tables, lateral, lateral_t);
+    n2 = tangent_curves__across_rule_t(work, work_t, tables, lateral, lateral_t);
     (*exists) = n2;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
@@ -1836,9 +1935,9 @@ static inline int64_t tangent_separation__equidistant_rise_t(double* result_0, d
     double v20;
     double v21;
     double v22;
-    n1 = tangent_moves__move_to_station_t(work, work_t, tables, layout__RAIL, station, station_t);
+    n1 = tangent_curves__move_to_station_t(work, work_t, tables, layout__RAIL, station, station_t);
     on_rail = n1;
-    n2 = tangent_moves__move_to_station_t(work, work_t, tables, layout__WHEEL, station, station_t);
+    n2 = tangent_curves__move_to_station_t(work, work_t, tables, layout__WHEEL, station, station_t);
     on_wheel = n2;
     tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v3 = 1.0 + slope * slope;
@@ -1925,7 +2024,7 @@ static inline int64_t tangent_separation__depth_lost_t(double* result_0, double*
     double v8;
     double v9;
     double v10;
-    tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -1993,15 +2092,15 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
     if (!exists)
     {
         (*gap_t) = 0.0;
-        (*gap) = contact_plane__NO_GAP;
+        (*gap) = frame__NO_GAP;
     }
     y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_pressed__mean_bend_t(&v1, &v1_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
     wheel_bend_t = v1_t;
     wheel_bend = v1;
-    tangent_longitudinal_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    tangent_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
     (*curvature_t) = v2_t;
     (*curvature) = v2;
     return 0;
@@ -2014,7 +2113,7 @@ static inline int64_t tangent_separation__separation_t(double* gap, double* gap_
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        tangent_contact_plane__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, tolerance, tolerance_t);
+        tangent_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, tolerance, tolerance_t);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
@@ -2024,141 +2123,6 @@ static inline int64_t tangent_separation__separation_t(double* gap, double* gap_
     {
         tangent_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, kind);
     }
-    return 0;
-}
-
-
-/* ---- From tangent_touching.py; change that one.
- *
- * Tangents of touching.py.
- */
-
-/* Tangent of ``limited``. */
-static inline int64_t tangent_touching__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t)
-{
-    if (step > limit)
-    {
-        step_t = limit_t;
-        step = limit;
-    }
-    if (step < -limit)
-    {
-        step_t = -limit_t;
-        step = -limit;
-    }
-    (*result_0) = step;
-    (*result_1) = step_t;
-    return 0;
-}
-
-/* Tangent of ``turning_point``. */
-static inline int64_t tangent_touching__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
-{
-    double v1;
-    double x_t;
-    double x;
-    double overlap_t;
-    double overlap;
-    double rise_t;
-    double rise;
-    double before_t;
-    double before;
-    bool moved_low;
-    bool moved_high;
-    int64_t i;
-    double bend;
-    double bend_t;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double wheel_bend;
-    double wheel_bend_t;
-    bool found;
-    double v2;
-    double following_t;
-    double following;
-    double z_rail;
-    double z_rail_t;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double newton_t;
-    double newton;
-    bool turned;
-    v1 = low + high;
-    x_t = 0.5 * (low_t + high_t);
-    x = 0.5 * v1;
-    overlap_t = 0.0;
-    overlap = 0.0;
-    rise_t = 0.0;
-    rise = 1.0;
-    before_t = 0.0;
-    before = 0.0;
-    moved_low = 0;
-    moved_high = 0;
-    for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
-    {
-        tangent_pressed__meet_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &bend, &bend_t, &z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, &found, work, work_t, tables, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
-        if (!found)
-        {
-            (*result_0) = x;
-            (*result_1) = x_t;
-            (*result_2_0001) = y;
-            (*result_3_0001) = y_t;
-            (*result_4) = overlap;
-            (*result_5) = overlap_t;
-            (*result_6) = 0;
-            return 0;
-        }
-        if (sign * rise > 0.0)
-        {
-            low_t = x_t;
-            low = x;
-            moved_low = 1;
-        }
-        else
-        {
-            high_t = x_t;
-            high = x;
-            moved_high = 1;
-        }
-        v2 = low + high;
-        following_t = 0.5 * (low_t + high_t);
-        following = 0.5 * v2;
-        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
-        {
-            tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
-            v3 = 1.0 + slope * slope;
-            v4 = sqrt(v3);
-            v5 = bend * v4;
-            v6 = rise / v5;
-            newton_t = x_t - (rise_t - v6 * (bend_t * v4 + bend * tangent_rates__root_rate(v4, slope_t * slope + slope * slope_t))) / v5;
-            newton = x - v6;
-            if ((newton > low) && (newton < high))
-            {
-                following_t = newton_t;
-                following = newton;
-            }
-        }
-        if (fabs(following - x) < touching__DEEP_SHARP)
-        {
-            break;
-        }
-        x_t = following_t;
-        x = following;
-        before_t = tangent_rates__size_rate(rise, rise_t);
-        before = fabs(rise);
-    }
-    turned = (fabs(rise) < touching__ZERO_RISE) || ((fabs(rise) < touching__LEVEL_RISE) && moved_low && moved_high);
-    (*result_0) = x;
-    (*result_1) = x_t;
-    (*result_2_0001) = y;
-    (*result_3_0001) = y_t;
-    (*result_4) = overlap;
-    (*result_5) = overlap_t;
-    (*result_6) = turned;
     return 0;
 }
 
@@ -2270,7 +2234,7 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
             u_t = 0.0;
             u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
         }
-        tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
+        tangent_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
         forward_t = (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)));
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         v2 = u - (*cspan_at(&work, point + layout__POINT_Y));
@@ -2357,7 +2321,7 @@ static inline int64_t tangent_traces__trace_wheel_t(double* ordinate, double* or
         tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
         (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
         (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        tangent_longitudinal_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
+        tangent_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
         (*curvature_t) = v1_t;
         (*curvature) = v1;
     }
@@ -2482,7 +2446,7 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
             y_t = 0.0;
             y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
+        tangent_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - left_t;
         across = y_track - left;
@@ -2531,7 +2495,7 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
     v13 = (*ordinate_bend) * sine;
     (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v13 * per_stretch_t;
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = v13 * per_stretch;
-    tangent_longitudinal_curvature__longitudinal_curvature_t(&v14, &v14_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
+    tangent_curvature__longitudinal_curvature_t(&v14, &v14_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
     (*curvature_t) = v14_t;
     (*curvature) = v14;
     v15 = 0.5 * excess;
@@ -2544,13 +2508,13 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
 }
 
 
-/* ---- From tangent_zone_width.py; change that one.
+/* ---- From tangent_widths.py; change that one.
  *
- * Tangents of zone_width.py.
+ * Tangents of widths.py.
  */
 
 /* Tangent of ``width_limit``. */
-static inline int64_t tangent_zone_width__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t)
+static inline int64_t tangent_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t)
 {
     (*limit_t) = (*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION));
     (*limit) = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
@@ -2563,20 +2527,20 @@ static inline int64_t tangent_zone_width__width_limit_t(double* limit, double* l
 }
 
 /* Tangent of ``width_tolerance``. */
-static inline int64_t tangent_zone_width__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t)
+static inline int64_t tangent_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t)
 {
-    (*tolerance_t) = zone_width__TRACE_OF_WIDTH * estimate_t;
-    (*tolerance) = zone_width__TRACE_OF_WIDTH * estimate;
-    if ((*tolerance) > zone_width__WIDTH_TRACE)
+    (*tolerance_t) = widths__TRACE_OF_WIDTH * estimate_t;
+    (*tolerance) = widths__TRACE_OF_WIDTH * estimate;
+    if ((*tolerance) > widths__WIDTH_TRACE)
     {
         (*tolerance_t) = 0.0;
-        (*tolerance) = zone_width__WIDTH_TRACE;
+        (*tolerance) = widths__WIDTH_TRACE;
     }
     return 0;
 }
 
 /* Tangent of ``zone_width``. */
-static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t tangent_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2627,12 +2591,12 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
     double v10;
     double newton_t;
     double newton;
-    tangent_zone_width__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
+    tangent_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
     limit_t = v1_t;
     limit = v1;
     tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     tangent_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
-    tangent_zone_width__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
+    tangent_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
     tolerance_t = v2_t;
     tolerance = v2;
     v3 = sqrt(level);
@@ -2652,12 +2616,12 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
     y_t = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
-    near = zone_width__WIDTH_SHARP;
+    near = widths__WIDTH_SHARP;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        near = zone_width__PRESSED_SHARP;
+        near = widths__PRESSED_SHARP;
     }
-    for (i = INT64_C(0); i < zone_width__WIDTH_ITERATIONS; i += INT64_C(1))
+    for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
         {
@@ -2665,7 +2629,7 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
             width = limit;
         }
         tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
-        if (gap >= contact_plane__NO_GAP)
+        if (gap >= frame__NO_GAP)
         {
             tangent_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
         }
@@ -2700,7 +2664,7 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
         }
         following_t = 2.0 * width_t;
         following = 2.0 * width;
-        sharp = zone_width__HALVED_SHARP;
+        sharp = widths__HALVED_SHARP;
         if (high > 0.0)
         {
             v4 = low + high;
@@ -2745,8 +2709,165 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
     return 0;
 }
 
+/* Tangent of ``measure_widths``. */
+static inline int64_t tangent_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
+{
+    double bend_t;
+    double bend;
+    double v1;
+    double v2;
+    double v3;
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    double v4;
+    double v5;
+    double grown_t;
+    double grown;
+    double v6;
+    double v6_t;
+    double high_reached_t;
+    double high_reached;
+    double slant_t;
+    double slant;
+    double start_t;
+    double start;
+    bool yawed;
+    double v7;
+    double v7_t;
+    double v8;
+    double v8_t;
+    double v9;
+    double v9_t;
+    double v10;
+    double v11;
+    double v13;
+    double v12;
+    double v12_t;
+    double v15;
+    double v14;
+    double v14_t;
+    double v16;
+    bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+    bend = (*cspan_at(&work, region + layout__REGION_BEND));
+    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    {
+        bend_t = widths__LEAST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    }
+    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    {
+        bend_t = widths__MOST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    }
+    v1 = 2.0 * local_penetration;
+    v2 = v1 / bend;
+    v3 = sqrt(v2);
+    low_t = tangent_rates__root_rate(v3, (2.0 * local_penetration_t - v2 * bend_t) / bend);
+    low = v3;
+    high_t = low_t;
+    high = low;
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
+    {
+        v4 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+        v5 = sqrt(v4);
+        grown_t = tangent_rates__root_rate(v5, (local_penetration_t - v4 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
+        grown = v5;
+        low_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown_t;
+        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
+        high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
+        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
+    }
+    tangent_widths__width_rule_t(&v6, &v6_t, work, work_t, tables, region, state, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
+    high_t = v6_t;
+    high = v6;
+    high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
+    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
+    slant_t = 0.0;
+    slant = 0.0;
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    yawed = frame__is_yawed(work);
+    if (yawed)
+    {
+        tangent_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant_t = v7_t;
+        slant = v7;
+    }
+    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
+    {
+        low_t = high_t;
+        low = high;
+    }
+    tangent_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, state, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
+    low_t = v8_t;
+    low = v8;
+    if (yawed)
+    {
+        tangent_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant_t = slant_t - v9_t;
+        slant = slant - v9;
+        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
+        {
+            v10 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            v11 = slant / v10;
+            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v10;
+            (*cspan_at(&work, region + layout__REGION_SLANT)) = v11;
+        }
+    }
+    v13 = low + high;
+    tangent_widths__side_curvature_t(&v12, &v12_t, high_reached, high_reached_t, high, high_t, 0.5 * v13, 0.5 * (low_t + high_t));
+    (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)) = v12_t;
+    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v12;
+    v15 = low + high;
+    tangent_widths__side_curvature_t(&v14, &v14_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*cspan_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v15, 0.5 * (low_t + high_t));
+    (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) = v14_t;
+    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v14;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration_t;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
+    v16 = high - low;
+    (*cspan_at(&work_t, region + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
+    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v16;
+    return INT64_C(0);
+}
+
+/* Tangent of ``side_curvature``. */
+static inline int64_t tangent_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t)
+{
+    double v1;
+    double ratio_t;
+    double ratio;
+    double v2;
+    double v3;
+    double v4;
+    (*curvature_t) = 0.0;
+    (*curvature) = 0.0;
+    if (own > 0.0)
+    {
+        v1 = mean / own;
+        ratio_t = (mean_t - v1 * own_t) / own;
+        ratio = v1;
+        if (ratio > widths__NARROWER)
+        {
+            ratio_t = 0.0;
+            ratio = widths__NARROWER;
+        }
+        v2 = own * own;
+        v3 = reached / v2;
+        v4 = v3 * ratio;
+        (*curvature_t) = ((reached_t - v3 * (own_t * own + own * own_t)) / v2 * ratio + v3 * ratio_t) * ratio + v4 * ratio_t;
+        (*curvature) = v4 * ratio;
+    }
+    return 0;
+}
+
 /* Tangent of ``width_rule``. */
-static inline int64_t tangent_zone_width__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t tangent_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2772,19 +2893,19 @@ static inline int64_t tangent_zone_width__width_rule_t(double* width, double* wi
     double y_t;
     double y;
     double out;
-    tangent_zone_width__zone_width_t(&v1, &v1_t, work, work_t, tables, region, state, direction, direction_t, level, level_t, estimate, estimate_t);
+    tangent_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, state, direction, direction_t, level, level_t, estimate, estimate_t);
     (*width_t) = v1_t;
     (*width) = v1;
-    tangent_zone_width__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
+    tangent_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
     limit_t = v2_t;
     limit = v2;
     if (((*width) < limit) && ((*cspan_at(&work, region + layout__REGION_REACHED)) != level))
     {
-        inner = (*width) * (1.0 - 10.0 * zone_width__HALVED_SHARP);
-        tangent_zone_width__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
+        inner = (*width) * (1.0 - 10.0 * widths__HALVED_SHARP);
+        tangent_widths__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
         tolerance_t = v3_t;
         tolerance = v3;
-        tangent_zone_width__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
+        tangent_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
         rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -2793,22 +2914,22 @@ static inline int64_t tangent_zone_width__width_rule_t(double* width, double* wi
         {
             moved = missing / (rate * direction);
         }
-        tangent_zone_width__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
+        tangent_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
         x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + zone_width__WIDTH_TRACE) || (x > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP)) - zone_width__WIDTH_TRACE)))
+        if ((out != 0.0) && ((x < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
             moved = (-rail_rate) / out;
         }
         out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_START)) + zone_width__WIDTH_TRACE) || (y > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_STOP)) - zone_width__WIDTH_TRACE)))
+        if ((out != 0.0) && ((y < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
             moved = (-wheel_rate) / out;
         }
-        tangent_zone_width__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, moved, tolerance, tolerance_t);
+        tangent_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, moved, tolerance, tolerance_t);
         (*width_t) = moved;
         (*cspan_at(&work_t, region + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
     }
@@ -2816,7 +2937,7 @@ static inline int64_t tangent_zone_width__width_rule_t(double* width, double* wi
 }
 
 /* Tangent of ``width_jet``. */
-static inline int64_t tangent_zone_width__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+static inline int64_t tangent_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
 {
     double bend;
     double bend_t;

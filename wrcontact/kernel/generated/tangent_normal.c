@@ -7,6 +7,79 @@
  * Tangents of analyn.py.
  */
 
+/* Tangent of ``region_influence``. */
+static inline int64_t tangent_analyn__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other)
+{
+    double distance_t;
+    double distance;
+    double v1;
+    double v1_t;
+    double lead_t;
+    double lead;
+    double squares_t;
+    double squares;
+    double v2;
+    double v3;
+    double apart_t;
+    double apart;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v7_t;
+    distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
+    distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
+    tangent_analyn__region_lead_t(&v1, &v1_t, work, work_t, one, other);
+    lead_t = v1_t;
+    lead = v1;
+    squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
+    squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
+    v2 = distance * distance + lead * lead + analyn__ELONGATED * squares;
+    v3 = sqrt(v2);
+    apart_t = tangent_rates__root_rate(v3, distance_t * distance + distance * distance_t + (lead_t * lead + lead * lead_t) + analyn__ELONGATED * squares_t);
+    apart = v3;
+    v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    v5 = v4 * apart;
+    v6 = 1.0 / v5;
+    (*result_t) = (-v6) * (v4 * apart_t) / v5;
+    (*result) = v6;
+    tangent_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, one, other);
+    (*result_t) = (*result_t) * v7 + (*result) * v7_t;
+    (*result) = (*result) * v7;
+    return 0;
+}
+
+/* Tangent of ``region_lead``. */
+static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+{
+    (*lead_t) = 0.0;
+    (*lead) = 0.0;
+    if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
+    {
+        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_X_TRACK)) - (*cspan_at(&work_t, other + layout__REGION_X_TRACK));
+        (*lead) = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
+    }
+    return 0;
+}
+
+/* Tangent of ``planes_cosine``. */
+static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+{
+    (*cosine_t) = 0.0;
+    (*cosine) = 1.0;
+    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
+    {
+        (*cosine_t) = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
+        (*cosine) = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
+        if ((*cosine) < 0.0)
+        {
+            (*cosine_t) = 0.0;
+            (*cosine) = 0.0;
+        }
+    }
+    return 0;
+}
+
 /* Tangent of ``clip_to_bound``. */
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t)
 {
@@ -260,7 +333,7 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
             share = 0.0;
             if (j != i)
             {
-                tangent_interaction__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
+                tangent_analyn__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
                 share_t = v2_t;
                 share = v2;
             }
@@ -311,7 +384,7 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
         (*cspan_at(&work_t, last + size)) = 0.0;
         (*cspan_at(&work, last + size)) = given_t;
     }
-    elimination__eliminate(work, size);
+    strip_pressures__eliminate(work, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
@@ -336,7 +409,7 @@ static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetrati
     tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
+        tangent_frame__locate_along_track_t(work, work_t, tables, (*count));
         tangent_node_patches__fill_from_nodes_t(work, work_t, side, (*count));
     }
     return 0;
@@ -443,7 +516,7 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        tangent_node_layout__prepare_regions_t(work, work_t, tables, state, count, enlarge, 0.0);
+        tangent_nodes__prepare_regions_t(work, work_t, tables, state, count, enlarge, 0.0);
         tangent_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
@@ -452,7 +525,7 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
             (*result_2) = satisfied;
             return 0;
         }
-        if (node_layout__covered(work, count))
+        if (nodes__covered(work, count))
         {
             break;
         }
@@ -471,99 +544,610 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
 }
 
 
-/* ---- From tangent_elimination.py; change that one.
+/* ---- From tangent_coefficients.py; change that one.
  *
- * Tangents of elimination.py.
+ * Tangents of coefficients.py.
  */
 
-/* Tangent of ``eliminate``. */
-static inline int64_t tangent_elimination__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
+/* Tangent of ``table_value``. */
+static inline int64_t tangent_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
 {
-    int64_t width;
-    int64_t pair;
-    int64_t k;
-    int64_t first;
-    int64_t second;
     double v1;
-    double inverse_t;
-    double inverse;
-    double factor_t;
-    double factor;
-    int64_t j;
+    int64_t cell;
+    double u;
+    double u_t;
+    int64_t at;
     double v2;
-    double next_inverse_t;
-    double next_inverse;
-    int64_t i;
-    int64_t row;
+    double high_t;
+    double high;
     double v3;
-    double next_factor_t;
-    double next_factor;
-    int64_t back;
-    int64_t pivot;
-    double one_t;
-    double one;
-    double other_t;
-    double other;
+    double v4;
+    v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
+    tangent_tables__table_cell_t(&cell, &u, &u_t, v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)), 0.0);
+    at = layout__HERTZ_ROW * cell + column;
+    v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
+    high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v2;
+    v3 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
+    v4 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v3;
+    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v4;
+    (*result_1) = u_t * v4 + u * (u_t * v3 + u * (u_t * high + u * high_t));
+    return 0;
+}
+
+/* Tangent of ``hertz_coefficients``. */
+static inline int64_t tangent_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
+{
+    double v1;
+    double ratio_t;
+    double ratio;
+    v1 = B / A;
+    ratio_t = (B_t - v1 * A_t) / A / v1;
+    ratio = log(v1);
+    tangent_coefficients__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
+    tangent_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), -ratio, -ratio_t);
+    tangent_coefficients__table_value_t(v4, v4_t, tables, table, INT64_C(6), ratio, ratio_t);
+    return 0;
+}
+
+/* Tangent of ``skewed_coefficients``. */
+static inline int64_t tangent_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double cross_t;
+    double cross;
+    double diagonal_t;
+    double diagonal;
+    double v4;
+    double half_t;
+    double half;
+    double v5;
+    double v6;
+    double spread_t;
+    double spread;
+    double v7;
+    double large_t;
+    double large;
+    double v8;
+    double v9;
+    double small_t;
+    double small;
+    double along;
+    double along_t;
+    double across;
+    double across_t;
+    double nr;
+    double nr_t;
+    double cosine_t;
+    double cosine;
+    double v10;
+    double v11;
+    double v12;
+    double length_t;
+    double length;
+    double v13;
+    double v14;
+    double v15;
+    double v16;
+    double width_t;
+    double width;
+    double v19;
+    double v20;
+    if (A * slant * slant > coefficients__STEEPEST * B)
+    {
+        v1 = coefficients__STEEPEST * B;
+        v2 = v1 / A;
+        v3 = sqrt(v2);
+        slant_t = tangent_rates__root_rate(v3, (coefficients__STEEPEST * B_t - v2 * A_t) / A);
+        slant = v3;
+    }
+    cross_t = A_t * slant + A * slant_t;
+    cross = A * slant;
+    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    diagonal = B + cross * slant;
+    v4 = A - diagonal;
+    half_t = 0.5 * (A_t - diagonal_t);
+    half = 0.5 * v4;
+    v5 = half * half + cross * cross;
+    v6 = sqrt(v5);
+    spread_t = tangent_rates__root_rate(v6, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    spread = v6;
+    v7 = A + diagonal;
+    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    large = 0.5 * v7 + spread;
+    v8 = A * B;
+    v9 = v8 / large;
+    small_t = (A_t * B + A * B_t - v9 * large_t) / large;
+    small = v9;
+    tangent_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
+    along_t = along_t * small + along * small_t;
+    along = along * small;
+    across_t = across_t * large + across * large_t;
+    across = across * large;
+    cosine_t = 0.0;
+    cosine = 0.5;
+    if (spread > coefficients__TILTED * large)
+    {
+        v10 = 0.5 * half;
+        v11 = v10 / spread;
+        cosine_t = -((0.5 * half_t - v11 * spread_t) / spread);
+        cosine = 0.5 - v11;
+    }
+    v12 = 1.0 - cosine;
+    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v12 * across_t);
+    length = cosine * along + v12 * across;
+    v13 = along * across;
+    v14 = 1.0 - cosine;
+    v15 = cosine * along + v14 * across;
+    v16 = v13 / v15;
+    width_t = (along_t * across + along * across_t - v16 * (cosine_t * along + cosine * along_t + ((-cosine_t) * across + v14 * across_t))) / v15;
+    width = v16;
+    (*v17) = length / A;
+    (*v18) = width / B;
+    v19 = length / along;
+    v20 = sqrt(v19);
+    (*result_1) = (length_t - (*v17) * A_t) / A;
+    (*result_3) = (width_t - (*v18) * B_t) / B;
+    (*result_4) = nr * v20;
+    (*result_5) = nr_t * v20 + nr * tangent_rates__root_rate(v20, (length_t - v19 * along_t) / along);
+    return 0;
+}
+
+/* Tangent of ``middle_slant``. */
+static inline int64_t tangent_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+{
+    double v1;
+    double v2;
+    double v3;
     double v4;
     double v5;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    double v6;
+    double cross_t;
+    double cross;
+    double diagonal_t;
+    double diagonal;
+    double v7;
+    double half_t;
+    double half;
+    double v8;
+    double v9;
+    double spread_t;
+    double spread;
+    double v10;
+    double large_t;
+    double large;
+    double v11;
+    double v12;
+    double small_t;
+    double small;
+    double along;
+    double along_t;
+    double across;
+    double across_t;
+    double nr;
+    double nr_t;
+    double v13;
+    double v14;
+    double cosine_t;
+    double cosine;
+    double v15;
+    double length_t;
+    double length;
+    double v16;
+    double v17;
+    double v18;
+    double v19;
+    double v20;
+    if (A * slant * slant > coefficients__STEEPEST * B)
     {
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
-        v1 = 1.0 / (*cspan_at(&work, first + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
-        inverse = v1;
-        factor_t = (*cspan_at(&work_t, second + k)) * inverse + (*cspan_at(&work, second + k)) * inverse_t;
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
-        {
-            (*cspan_at(&work_t, second + j)) = (*cspan_at(&work_t, second + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j)));
-            (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
-        }
-        v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        next_inverse_t = (-v2) * (*cspan_at(&work_t, second + (k + INT64_C(1)))) / (*cspan_at(&work, second + (k + INT64_C(1))));
-        next_inverse = v2;
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
-        {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
-            factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
-            factor = (*cspan_at(&work, row + k)) * inverse;
-            v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
-            next_factor_t = ((*cspan_at(&work_t, row + (k + INT64_C(1)))) - (factor_t * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * (*cspan_at(&work_t, first + (k + INT64_C(1)))))) * next_inverse + v3 * next_inverse_t;
-            next_factor = v3 * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
-            {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j))) - (next_factor_t * (*cspan_at(&work, second + j)) + next_factor * (*cspan_at(&work_t, second + j)));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
-            }
-        }
+        v1 = coefficients__STEEPEST * B;
+        v2 = v1 / A;
+        v3 = sqrt(v2);
+        v4 = v3 * slant;
+        v5 = fabs(slant);
+        v6 = v4 / v5;
+        slant_t = (tangent_rates__root_rate(v3, (coefficients__STEEPEST * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * tangent_rates__size_rate(slant, slant_t)) / v5;
+        slant = v6;
     }
-    for (back = INT64_C(0); back < size; back += INT64_C(1))
+    cross_t = A_t * slant + A * slant_t;
+    cross = A * slant;
+    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    diagonal = B + cross * slant;
+    v7 = A - diagonal;
+    half_t = 0.5 * (A_t - diagonal_t);
+    half = 0.5 * v7;
+    v8 = half * half + cross * cross;
+    v9 = sqrt(v8);
+    spread_t = tangent_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    spread = v9;
+    v10 = A + diagonal;
+    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    large = 0.5 * v10 + spread;
+    v11 = A * B;
+    v12 = v11 / large;
+    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
+    small = v12;
+    if (!(spread > coefficients__TILTED * large))
     {
-        k = size - INT64_C(1) - back;
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        one_t = (*cspan_at(&work_t, pivot + size));
-        one = (*cspan_at(&work, pivot + size));
-        other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
-        other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
-        for (j = k + INT64_C(1); j < size; j += INT64_C(1))
+        (*result_0) = slant;
+        (*result_1) = slant_t;
+        return 0;
+    }
+    tangent_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
+    along_t = along_t * small + along * small_t;
+    along = along * small;
+    across_t = across_t * large + across * large_t;
+    across = across * large;
+    v13 = 0.5 * half;
+    v14 = v13 / spread;
+    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
+    cosine = 0.5 - v14;
+    v15 = 1.0 - cosine;
+    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
+    length = cosine * along + v15 * across;
+    v16 = across - along;
+    v17 = cross * v16;
+    v18 = large - small;
+    v19 = v18 * length;
+    v20 = v17 / v19;
+    (*result_0) = v20;
+    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
+    return 0;
+}
+
+/* Tangent of ``hertz_stiffness``. */
+static inline int64_t tangent_coefficients__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+{
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    tangent_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    v1 = 4.0 / 3.0;
+    v2 = v1 * contact_modulus;
+    v3 = one_beta * B;
+    v4 = sqrt(v3);
+    v5 = nr * v4;
+    (*v6) = v2 / v5;
+    (*result_1) = (v1 * contact_modulus_t - (*v6) * (nr_t * v4 + nr * tangent_rates__root_rate(v4, one_beta_t * B + one_beta * B_t))) / v5;
+    return 0;
+}
+
+/* Tangent of ``second_difference``. */
+static inline int64_t tangent_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window)
+{
+    double v1;
+    double width_t;
+    double width;
+    double v2;
+    double v3;
+    double v4;
+    v1 = (double)(window);
+    width_t = spacing_t * v1;
+    width = spacing * v1;
+    v2 = (*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)));
+    v3 = 2.0 * width;
+    v4 = v3 * width;
+    (*v5) = v2 / v4;
+    (*result_1) = ((*cspan_at(&work_t, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work_t, values + INT64_C(128) + k)) + (*cspan_at(&work_t, values + INT64_C(128) + (k - window))) - (*v5) * (2.0 * width_t * width + v3 * width_t)) / v4;
+    return 0;
+}
+
+/* Tangent of ``secant_curvature``. */
+static inline int64_t tangent_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t)
+{
+    double v1;
+    double s_t;
+    double s;
+    double v2;
+    double v4;
+    double width_t;
+    double width;
+    double v5;
+    double v6;
+    double edge_t;
+    double edge;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    if ((k >= window) || (k <= -window))
+    {
+        v1 = (double)(k);
+        s_t = spacing_t * v1;
+        s = spacing * v1;
+        v2 = s * s;
+        (*v3) = (*cspan_at(&work, gaps + INT64_C(128) + k)) / v2;
+        (*result_1) = ((*cspan_at(&work_t, gaps + INT64_C(128) + k)) - (*v3) * (s_t * s + s * s_t)) / v2;
+        return 0;
+    }
+    v4 = (double)(window);
+    width_t = spacing_t * v4;
+    width = spacing * v4;
+    v5 = width * width;
+    v6 = (*cspan_at(&work, gaps + INT64_C(128) + window)) / v5;
+    edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + window)) - v6 * (width_t * width + width * width_t)) / v5;
+    edge = v6;
+    if (k < INT64_C(0))
+    {
+        v7 = width * width;
+        v8 = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / v7;
+        edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + (-window))) - v8 * (width_t * width + width * width_t)) / v7;
+        edge = v8;
+    }
+    v9 = edge - middle;
+    v10 = fabs((double)(k));
+    v11 = v9 * v10;
+    v12 = (double)(window);
+    (*v3) = middle + v11 / v12;
+    (*result_1) = middle_t + (edge_t - middle_t) * v10 / v12;
+    return 0;
+}
+
+/* Tangent of ``windowed_curvature``. */
+static inline int64_t tangent_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
+{
+    double grown_t;
+    double grown;
+    double v1;
+    double v2;
+    double v3;
+    if (averaged < coefficients__WINDOW_FLOOR * secant)
+    {
+        averaged_t = coefficients__WINDOW_FLOOR * secant_t;
+        averaged = coefficients__WINDOW_FLOOR * secant;
+    }
+    grown_t = secant_t;
+    grown = secant;
+    if (averaged > secant)
+    {
+        v1 = coefficients__GROWTH * share;
+        v2 = averaged - secant;
+        grown_t = grown_t + (coefficients__GROWTH * share_t * v2 + v1 * (averaged_t - secant_t));
+        grown = grown + v1 * v2;
+    }
+    v3 = averaged * grown;
+    (*v4) = sqrt(v3);
+    (*result_1) = tangent_rates__root_rate((*v4), averaged_t * grown + averaged * grown_t);
+    return 0;
+}
+
+/* Tangent of ``adaptive_curvatures``. */
+static inline int64_t tangent_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t)
+{
+    double spacing_t;
+    double spacing;
+    double v1;
+    double v1_t;
+    double v2;
+    double v3;
+    double v4;
+    double share_t;
+    double share;
+    double v6;
+    double v6_t;
+    double v5;
+    double v5_t;
+    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    tangent_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
+    (*secant_t) = v1_t;
+    (*secant) = v1;
+    if ((*secant) < least)
+    {
+        (*secant_t) = least_t;
+        (*secant) = least;
+    }
+    v2 = fabs((double)(k));
+    v3 = v2 * spacing;
+    v4 = v3 / mean;
+    share_t = (v2 * spacing_t - v4 * mean_t) / mean;
+    share = v4;
+    if (share > 1.0)
+    {
+        share_t = 0.0;
+        share = 1.0;
+    }
+    tangent_coefficients__second_difference_t(&v6, &v6_t, work, work_t, gaps, k, spacing, spacing_t, window);
+    tangent_coefficients__windowed_curvature_t(&v5, &v5_t, v6, v6_t, (*secant), (*secant_t), share, share_t);
+    (*B_t) = v5_t;
+    (*B) = v5;
+    if ((*B) < least)
+    {
+        (*B_t) = least_t;
+        (*B) = least;
+    }
+    (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH));
+    (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
+    if (k < INT64_C(0))
+    {
+        (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW));
+        (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
+    }
+    if ((*side) < least)
+    {
+        (*side_t) = least_t;
+        (*side) = least;
+    }
+    return 0;
+}
+
+/* Tangent of ``weigh_nodes``. */
+static inline int64_t tangent_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+{
+    int64_t table;
+    bool prepared;
+    double alpha_factor_t;
+    double alpha_factor;
+    double beta_factor_t;
+    double beta_factor;
+    double nr_factor_t;
+    double nr_factor;
+    double v1;
+    double mean_t;
+    double mean;
+    double v2;
+    double v2_t;
+    double middle_t;
+    double middle;
+    int64_t k_end;
+    int64_t k;
+    double A_t;
+    double A;
+    double least_t;
+    double least;
+    double B_t;
+    double B;
+    double secant_t;
+    double secant;
+    double side_t;
+    double side;
+    double v4;
+    double v3;
+    double v3_t;
+    double alpha_t;
+    double alpha;
+    double v6;
+    double v5;
+    double v5_t;
+    double beta_t;
+    double beta;
+    double v8;
+    double v7;
+    double v7_t;
+    double nr_t;
+    double nr;
+    double v9;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
+    alpha_factor_t = 0.0;
+    alpha_factor = 1.0;
+    beta_factor_t = 0.0;
+    beta_factor = 1.0;
+    nr_factor_t = 0.0;
+    nr_factor = 1.0;
+    if (yawed)
+    {
+        tangent_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
+    }
+    v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    mean = 0.5 * v1;
+    tangent_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), window);
+    middle_t = v2_t;
+    middle = v2;
+    if (middle < 0.0)
+    {
+        middle_t = 0.0;
+        middle = 0.0;
+    }
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        A_t = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        least_t = coefficients__FLOOR * A_t;
+        least = coefficients__FLOOR * A;
+        if (prepared)
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
-            one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
-            one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
-            other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
-            other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
+            B_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
+            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
+            if (B < least)
+            {
+                B_t = least_t;
+                B = least;
+            }
+            secant_t = B_t;
+            secant = B;
+            side_t = B_t;
+            side = B;
         }
-        v4 = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + size)) = (one_t - v4 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + size)) = v4;
-        v5 = other / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v5 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
+        else
+        {
+            tangent_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
+        }
+        v4 = secant / A;
+        tangent_coefficients__table_value_t(&v3, &v3_t, tables, table, INT64_C(0), log(v4), (secant_t - v4 * A_t) / A / v4);
+        alpha_t = v3_t;
+        alpha = v3;
+        v6 = A / side;
+        tangent_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (A_t - v6 * side_t) / side / v6);
+        beta_t = v5_t;
+        beta = v5;
+        v8 = B / A;
+        tangent_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(6), log(v8), (B_t - v8 * A_t) / A / v8);
+        nr_t = v7_t;
+        nr = v7;
+        if (yawed)
+        {
+            alpha_t = alpha_t * alpha_factor + alpha * alpha_factor_t;
+            alpha = alpha * alpha_factor;
+            beta_t = beta_t * beta_factor + beta * beta_factor_t;
+            beta = beta * beta_factor;
+            nr_t = nr_t * nr_factor + nr * nr_factor_t;
+            nr = nr * nr_factor;
+        }
+        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)) = B_t;
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
+        (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta_t * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        v9 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
+        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v9) * nr_t / nr;
+        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v9;
+        (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha_t * A + alpha * A_t;
+        (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
     }
     return INT64_C(0);
+}
+
+/* Tangent of ``skew_factors``. */
+static inline int64_t tangent_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
+{
+    int64_t table;
+    double v1;
+    double B_t;
+    double B;
+    double alpha;
+    double alpha_t;
+    double beta;
+    double beta_t;
+    double nr;
+    double nr_t;
+    double skewed_alpha;
+    double skewed_alpha_t;
+    double skewed_beta;
+    double skewed_beta_t;
+    double skewed_nr;
+    double skewed_nr_t;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
+    B_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    B = 0.5 * v1;
+    if (B < coefficients__FLOOR * A)
+    {
+        B_t = coefficients__FLOOR * A_t;
+        B = coefficients__FLOOR * A;
+    }
+    tangent_coefficients__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    tangent_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
+    (*v2) = skewed_alpha / alpha;
+    (*v3) = skewed_beta / beta;
+    (*v4) = skewed_nr / nr;
+    (*result_1) = (skewed_alpha_t - (*v2) * alpha_t) / alpha;
+    (*result_3) = (skewed_beta_t - (*v3) * beta_t) / beta;
+    (*result_5) = (skewed_nr_t - (*v4) * nr_t) / nr;
+    return 0;
 }
 
 
@@ -629,8 +1213,8 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
     width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
-    B_t = node_coefficients__FLOOR * A_t;
-    B = node_coefficients__FLOOR * A;
+    B_t = coefficients__FLOOR * A_t;
+    B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
         B_t = estimate__CEILING * A_t;
@@ -643,7 +1227,7 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
         B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
         B = v4;
     }
-    tangent_hertz__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    tangent_coefficients__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
     v6 = force / stiffness;
@@ -657,7 +1241,7 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
 static inline int64_t tangent_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
 {
     double v2;
-    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    tangent_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
@@ -685,1093 +1269,6 @@ static inline int64_t tangent_estimate__start_penetrations_t(array_double_1d wor
         (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = local_t;
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_hertz.py; change that one.
- *
- * Tangents of hertz.py.
- */
-
-/* Tangent of ``table_value``. */
-static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
-{
-    double v1;
-    int64_t cell;
-    double u;
-    double u_t;
-    int64_t at;
-    double v2;
-    double high_t;
-    double high;
-    double v3;
-    double v4;
-    v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
-    tangent_table_cell__table_cell_t(&cell, &u, &u_t, v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)), 0.0);
-    at = layout__HERTZ_ROW * cell + column;
-    v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
-    high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
-    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v2;
-    v3 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
-    v4 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v3;
-    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v4;
-    (*result_1) = u_t * v4 + u * (u_t * v3 + u * (u_t * high + u * high_t));
-    return 0;
-}
-
-/* Tangent of ``hertz_coefficients``. */
-static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
-{
-    double v1;
-    double ratio_t;
-    double ratio;
-    v1 = B / A;
-    ratio_t = (B_t - v1 * A_t) / A / v1;
-    ratio = log(v1);
-    tangent_hertz__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
-    tangent_hertz__table_value_t(v3, v3_t, tables, table, INT64_C(0), -ratio, -ratio_t);
-    tangent_hertz__table_value_t(v4, v4_t, tables, table, INT64_C(6), ratio, ratio_t);
-    return 0;
-}
-
-/* Tangent of ``skewed_coefficients``. */
-static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
-{
-    double v1;
-    double v2;
-    double v3;
-    double cross_t;
-    double cross;
-    double diagonal_t;
-    double diagonal;
-    double v4;
-    double half_t;
-    double half;
-    double v5;
-    double v6;
-    double spread_t;
-    double spread;
-    double v7;
-    double large_t;
-    double large;
-    double v8;
-    double v9;
-    double small_t;
-    double small;
-    double along;
-    double along_t;
-    double across;
-    double across_t;
-    double nr;
-    double nr_t;
-    double cosine_t;
-    double cosine;
-    double v10;
-    double v11;
-    double v12;
-    double length_t;
-    double length;
-    double v13;
-    double v14;
-    double v15;
-    double v16;
-    double width_t;
-    double width;
-    double v19;
-    double v20;
-    if (A * slant * slant > hertz__STEEPEST * B)
-    {
-        v1 = hertz__STEEPEST * B;
-        v2 = v1 / A;
-        v3 = sqrt(v2);
-        slant_t = tangent_rates__root_rate(v3, (hertz__STEEPEST * B_t - v2 * A_t) / A);
-        slant = v3;
-    }
-    cross_t = A_t * slant + A * slant_t;
-    cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
-    diagonal = B + cross * slant;
-    v4 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
-    half = 0.5 * v4;
-    v5 = half * half + cross * cross;
-    v6 = sqrt(v5);
-    spread_t = tangent_rates__root_rate(v6, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
-    spread = v6;
-    v7 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
-    large = 0.5 * v7 + spread;
-    v8 = A * B;
-    v9 = v8 / large;
-    small_t = (A_t * B + A * B_t - v9 * large_t) / large;
-    small = v9;
-    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
-    along = along * small;
-    across_t = across_t * large + across * large_t;
-    across = across * large;
-    cosine_t = 0.0;
-    cosine = 0.5;
-    if (spread > hertz__TILTED * large)
-    {
-        v10 = 0.5 * half;
-        v11 = v10 / spread;
-        cosine_t = -((0.5 * half_t - v11 * spread_t) / spread);
-        cosine = 0.5 - v11;
-    }
-    v12 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v12 * across_t);
-    length = cosine * along + v12 * across;
-    v13 = along * across;
-    v14 = 1.0 - cosine;
-    v15 = cosine * along + v14 * across;
-    v16 = v13 / v15;
-    width_t = (along_t * across + along * across_t - v16 * (cosine_t * along + cosine * along_t + ((-cosine_t) * across + v14 * across_t))) / v15;
-    width = v16;
-    (*v17) = length / A;
-    (*v18) = width / B;
-    v19 = length / along;
-    v20 = sqrt(v19);
-    (*result_1) = (length_t - (*v17) * A_t) / A;
-    (*result_3) = (width_t - (*v18) * B_t) / B;
-    (*result_4) = nr * v20;
-    (*result_5) = nr_t * v20 + nr * tangent_rates__root_rate(v20, (length_t - v19 * along_t) / along);
-    return 0;
-}
-
-/* Tangent of ``middle_slant``. */
-static inline int64_t tangent_hertz__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
-{
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double cross_t;
-    double cross;
-    double diagonal_t;
-    double diagonal;
-    double v7;
-    double half_t;
-    double half;
-    double v8;
-    double v9;
-    double spread_t;
-    double spread;
-    double v10;
-    double large_t;
-    double large;
-    double v11;
-    double v12;
-    double small_t;
-    double small;
-    double along;
-    double along_t;
-    double across;
-    double across_t;
-    double nr;
-    double nr_t;
-    double v13;
-    double v14;
-    double cosine_t;
-    double cosine;
-    double v15;
-    double length_t;
-    double length;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    if (A * slant * slant > hertz__STEEPEST * B)
-    {
-        v1 = hertz__STEEPEST * B;
-        v2 = v1 / A;
-        v3 = sqrt(v2);
-        v4 = v3 * slant;
-        v5 = fabs(slant);
-        v6 = v4 / v5;
-        slant_t = (tangent_rates__root_rate(v3, (hertz__STEEPEST * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * tangent_rates__size_rate(slant, slant_t)) / v5;
-        slant = v6;
-    }
-    cross_t = A_t * slant + A * slant_t;
-    cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
-    diagonal = B + cross * slant;
-    v7 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
-    half = 0.5 * v7;
-    v8 = half * half + cross * cross;
-    v9 = sqrt(v8);
-    spread_t = tangent_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
-    spread = v9;
-    v10 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
-    large = 0.5 * v10 + spread;
-    v11 = A * B;
-    v12 = v11 / large;
-    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
-    small = v12;
-    if (!(spread > hertz__TILTED * large))
-    {
-        (*result_0) = slant;
-        (*result_1) = slant_t;
-        return 0;
-    }
-    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
-    along = along * small;
-    across_t = across_t * large + across * large_t;
-    across = across * large;
-    v13 = 0.5 * half;
-    v14 = v13 / spread;
-    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
-    cosine = 0.5 - v14;
-    v15 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
-    length = cosine * along + v15 * across;
-    v16 = across - along;
-    v17 = cross * v16;
-    v18 = large - small;
-    v19 = v18 * length;
-    v20 = v17 / v19;
-    (*result_0) = v20;
-    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
-    return 0;
-}
-
-/* Tangent of ``hertz_stiffness``. */
-static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
-{
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    v1 = 4.0 / 3.0;
-    v2 = v1 * contact_modulus;
-    v3 = one_beta * B;
-    v4 = sqrt(v3);
-    v5 = nr * v4;
-    (*v6) = v2 / v5;
-    (*result_1) = (v1 * contact_modulus_t - (*v6) * (nr_t * v4 + nr * tangent_rates__root_rate(v4, one_beta_t * B + one_beta * B_t))) / v5;
-    return 0;
-}
-
-
-/* ---- From tangent_hertz_contact.py; change that one.
- *
- * Tangents of hertz_contact.py.
- */
-
-/* Tangent of ``hertz_contact``. */
-static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
-{
-    int64_t point;
-    int64_t table;
-    double A_t;
-    double A;
-    double B_t;
-    double B;
-    double v1;
-    double v1_t;
-    double stiffness_t;
-    double stiffness;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double load_t;
-    double load;
-    double v8;
-    double v9;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double v10;
-    double v11;
-    double v12;
-    double half_length_t;
-    double half_length;
-    double v13;
-    double v14;
-    double v15;
-    double half_width_t;
-    double half_width;
-    int64_t n16;
-    int64_t patch;
-    double v17;
-    double v18;
-    double v19;
-    double pressure_t;
-    double pressure;
-    tangent_planes__locate_along_track_t(work, work_t, tables, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
-    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    if (!(B > node_coefficients__FLOOR * A))
-    {
-        B_t = node_coefficients__FLOOR * A_t;
-        B = node_coefficients__FLOOR * A;
-    }
-    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, table, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v1_t;
-    stiffness = v1;
-    (*penetration_t) = prescribed_t;
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
-        v3 = force / v2;
-        v4 = 2.0 / 3.0;
-        v5 = pow(v3, v4);
-        (*penetration_t) = tangent_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v2);
-        (*penetration) = v5;
-    }
-    v6 = stiffness * (*penetration);
-    v7 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v7 + v6 * tangent_rates__root_rate(v7, (*penetration_t));
-    load = v6 * v7;
-    v8 = 1.5 * stiffness;
-    v9 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * tangent_rates__root_rate(v9, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v8 * v9;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    v10 = one_alpha * A;
-    v11 = (*penetration) / v10;
-    v12 = sqrt(v11);
-    half_length_t = tangent_rates__root_rate(v12, ((*penetration_t) - v11 * (one_alpha_t * A + one_alpha * A_t)) / v10);
-    half_length = v12;
-    v13 = one_beta * B;
-    v14 = (*penetration) / v13;
-    v15 = sqrt(v14);
-    half_width_t = tangent_rates__root_rate(v15, ((*penetration_t) - v14 * (one_beta_t * B + one_beta * B_t)) / v13);
-    half_width = v15;
-    tangent_filling__clear_patches_t(work, work_t, side);
-    n16 = tangent_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n16;
-    tangent_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
-    v17 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v17 * half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v17 * half_width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v18 = 1.5 * load;
-    v19 = v18 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v19 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v19;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    tangent_filling__finish_patch_t(work, work_t, side);
-    tangent_filling__finish_patches_t(work, work_t, side);
-    (*result_2) = INT64_C(1);
-    (*result_3) = 1;
-    return 0;
-}
-
-
-/* ---- From tangent_interaction.py; change that one.
- *
- * Tangents of interaction.py.
- */
-
-/* Tangent of ``region_influence``. */
-static inline int64_t tangent_interaction__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other)
-{
-    double distance_t;
-    double distance;
-    double v1;
-    double v1_t;
-    double lead_t;
-    double lead;
-    double squares_t;
-    double squares;
-    double v2;
-    double v3;
-    double apart_t;
-    double apart;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v7_t;
-    distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
-    distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
-    tangent_interaction__region_lead_t(&v1, &v1_t, work, work_t, one, other);
-    lead_t = v1_t;
-    lead = v1;
-    squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
-    squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
-    v2 = distance * distance + lead * lead + interaction__ELONGATED * squares;
-    v3 = sqrt(v2);
-    apart_t = tangent_rates__root_rate(v3, distance_t * distance + distance * distance_t + (lead_t * lead + lead * lead_t) + interaction__ELONGATED * squares_t);
-    apart = v3;
-    v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    v5 = v4 * apart;
-    v6 = 1.0 / v5;
-    (*result_t) = (-v6) * (v4 * apart_t) / v5;
-    (*result) = v6;
-    tangent_interaction__planes_cosine_t(&v7, &v7_t, work, work_t, one, other);
-    (*result_t) = (*result_t) * v7 + (*result) * v7_t;
-    (*result) = (*result) * v7;
-    return 0;
-}
-
-/* Tangent of ``region_lead``. */
-static inline int64_t tangent_interaction__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
-{
-    (*lead_t) = 0.0;
-    (*lead) = 0.0;
-    if (interaction__planes_cosine(work, one, other) < interaction__INCLINED)
-    {
-        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_X_TRACK)) - (*cspan_at(&work_t, other + layout__REGION_X_TRACK));
-        (*lead) = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
-    }
-    return 0;
-}
-
-/* Tangent of ``planes_cosine``. */
-static inline int64_t tangent_interaction__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
-{
-    (*cosine_t) = 0.0;
-    (*cosine) = 1.0;
-    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
-    {
-        (*cosine_t) = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
-        (*cosine) = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if ((*cosine) < 0.0)
-        {
-            (*cosine_t) = 0.0;
-            (*cosine) = 0.0;
-        }
-    }
-    return 0;
-}
-
-
-/* ---- From tangent_mean_normal.py; change that one.
- *
- * Tangents of mean_normal.py.
- */
-
-/* Tangent of ``mean_normal``. */
-static inline int64_t tangent_mean_normal__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
-{
-    double v1;
-    double v1_t;
-    double arc_t;
-    double arc;
-    double total_t;
-    double total;
-    double cosines_t;
-    double cosines;
-    double sines_t;
-    double sines;
-    int64_t direction;
-    double x_t;
-    double x;
-    double v2;
-    double step_t;
-    double step;
-    int64_t last;
-    int64_t k;
-    double height;
-    double height_t;
-    double slope;
-    double slope_t;
-    double v3;
-    double v4;
-    double v5;
-    double cosine_t;
-    double cosine;
-    double v6;
-    double weight_t;
-    double weight;
-    double v7;
-    double v9;
-    double v8;
-    double v8_t;
-    double v10;
-    double v11;
-    double v12;
-    double v12_t;
-    tangent_cubic_table__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-    arc_t = v1_t;
-    arc = v1;
-    total_t = 0.0;
-    total = 0.0;
-    cosines_t = 0.0;
-    cosines = 0.0;
-    sines_t = 0.0;
-    sines = 0.0;
-    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
-    {
-        x_t = (*cspan_at(&work_t, region + layout__REGION_RAIL));
-        x = (*cspan_at(&work, region + layout__REGION_RAIL));
-        v2 = (double)(direction);
-        step_t = v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING));
-        step = v2 * (*cspan_at(&work, region + layout__REGION_SPACING));
-        last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
-        if (direction < INT64_C(0))
-        {
-            last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
-        }
-        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
-        {
-            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
-            v3 = 1.0 + slope * slope;
-            v4 = sqrt(v3);
-            v5 = 1.0 / v4;
-            cosine_t = (-v5) * tangent_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
-            cosine = v5;
-            v6 = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k));
-            weight_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
-            weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6;
-            if (weight <= 0.0)
-            {
-                break;
-            }
-            if (k == INT64_C(0))
-            {
-                weight_t = weight_t * 0.5;
-                weight = weight * 0.5;
-            }
-            total_t = total_t + weight_t;
-            total = total + weight;
-            cosines_t = cosines_t + (weight_t * cosine + weight * cosine_t);
-            cosines = cosines + weight * cosine;
-            v7 = weight * slope;
-            sines_t = sines_t + ((weight_t * slope + weight * slope_t) * cosine + v7 * cosine_t);
-            sines = sines + v7 * cosine;
-            v9 = (double)(k + INT64_C(1));
-            tangent_cubic_table__read_cubic_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
-            x_t = v8_t;
-            x = v8;
-        }
-    }
-    if (total > 0.0)
-    {
-        v10 = cosines / total;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v10 * total_t) / total;
-        (*cspan_at(&work, region + layout__REGION_COS)) = v10;
-        v11 = sines / total;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
-        (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
-        {
-            tangent_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v12_t;
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = v12;
-        }
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_node_coefficients.py; change that one.
- *
- * Tangents of node_coefficients.py.
- */
-
-/* Tangent of ``second_difference``. */
-static inline int64_t tangent_node_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window)
-{
-    double v1;
-    double width_t;
-    double width;
-    double v2;
-    double v3;
-    double v4;
-    v1 = (double)(window);
-    width_t = spacing_t * v1;
-    width = spacing * v1;
-    v2 = (*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)));
-    v3 = 2.0 * width;
-    v4 = v3 * width;
-    (*v5) = v2 / v4;
-    (*result_1) = ((*cspan_at(&work_t, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work_t, values + INT64_C(128) + k)) + (*cspan_at(&work_t, values + INT64_C(128) + (k - window))) - (*v5) * (2.0 * width_t * width + v3 * width_t)) / v4;
-    return 0;
-}
-
-/* Tangent of ``secant_curvature``. */
-static inline int64_t tangent_node_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t)
-{
-    double v1;
-    double s_t;
-    double s;
-    double v2;
-    double v4;
-    double width_t;
-    double width;
-    double v5;
-    double v6;
-    double edge_t;
-    double edge;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    if ((k >= window) || (k <= -window))
-    {
-        v1 = (double)(k);
-        s_t = spacing_t * v1;
-        s = spacing * v1;
-        v2 = s * s;
-        (*v3) = (*cspan_at(&work, gaps + INT64_C(128) + k)) / v2;
-        (*result_1) = ((*cspan_at(&work_t, gaps + INT64_C(128) + k)) - (*v3) * (s_t * s + s * s_t)) / v2;
-        return 0;
-    }
-    v4 = (double)(window);
-    width_t = spacing_t * v4;
-    width = spacing * v4;
-    v5 = width * width;
-    v6 = (*cspan_at(&work, gaps + INT64_C(128) + window)) / v5;
-    edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + window)) - v6 * (width_t * width + width * width_t)) / v5;
-    edge = v6;
-    if (k < INT64_C(0))
-    {
-        v7 = width * width;
-        v8 = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / v7;
-        edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + (-window))) - v8 * (width_t * width + width * width_t)) / v7;
-        edge = v8;
-    }
-    v9 = edge - middle;
-    v10 = fabs((double)(k));
-    v11 = v9 * v10;
-    v12 = (double)(window);
-    (*v3) = middle + v11 / v12;
-    (*result_1) = middle_t + (edge_t - middle_t) * v10 / v12;
-    return 0;
-}
-
-/* Tangent of ``windowed_curvature``. */
-static inline int64_t tangent_node_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
-{
-    double grown_t;
-    double grown;
-    double v1;
-    double v2;
-    double v3;
-    if (averaged < node_coefficients__WINDOW_FLOOR * secant)
-    {
-        averaged_t = node_coefficients__WINDOW_FLOOR * secant_t;
-        averaged = node_coefficients__WINDOW_FLOOR * secant;
-    }
-    grown_t = secant_t;
-    grown = secant;
-    if (averaged > secant)
-    {
-        v1 = node_coefficients__GROWTH * share;
-        v2 = averaged - secant;
-        grown_t = grown_t + (node_coefficients__GROWTH * share_t * v2 + v1 * (averaged_t - secant_t));
-        grown = grown + v1 * v2;
-    }
-    v3 = averaged * grown;
-    (*v4) = sqrt(v3);
-    (*result_1) = tangent_rates__root_rate((*v4), averaged_t * grown + averaged * grown_t);
-    return 0;
-}
-
-/* Tangent of ``adaptive_curvatures``. */
-static inline int64_t tangent_node_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t)
-{
-    double spacing_t;
-    double spacing;
-    double v1;
-    double v1_t;
-    double v2;
-    double v3;
-    double v4;
-    double share_t;
-    double share;
-    double v6;
-    double v6_t;
-    double v5;
-    double v5_t;
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
-    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    tangent_node_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
-    (*secant_t) = v1_t;
-    (*secant) = v1;
-    if ((*secant) < least)
-    {
-        (*secant_t) = least_t;
-        (*secant) = least;
-    }
-    v2 = fabs((double)(k));
-    v3 = v2 * spacing;
-    v4 = v3 / mean;
-    share_t = (v2 * spacing_t - v4 * mean_t) / mean;
-    share = v4;
-    if (share > 1.0)
-    {
-        share_t = 0.0;
-        share = 1.0;
-    }
-    tangent_node_coefficients__second_difference_t(&v6, &v6_t, work, work_t, gaps, k, spacing, spacing_t, window);
-    tangent_node_coefficients__windowed_curvature_t(&v5, &v5_t, v6, v6_t, (*secant), (*secant_t), share, share_t);
-    (*B_t) = v5_t;
-    (*B) = v5;
-    if ((*B) < least)
-    {
-        (*B_t) = least_t;
-        (*B) = least;
-    }
-    (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH));
-    (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
-    if (k < INT64_C(0))
-    {
-        (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW));
-        (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
-    }
-    if ((*side) < least)
-    {
-        (*side_t) = least_t;
-        (*side) = least;
-    }
-    return 0;
-}
-
-/* Tangent of ``weigh_nodes``. */
-static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
-{
-    int64_t table;
-    bool prepared;
-    double alpha_factor_t;
-    double alpha_factor;
-    double beta_factor_t;
-    double beta_factor;
-    double nr_factor_t;
-    double nr_factor;
-    double v1;
-    double mean_t;
-    double mean;
-    double v2;
-    double v2_t;
-    double middle_t;
-    double middle;
-    int64_t k_end;
-    int64_t k;
-    double A_t;
-    double A;
-    double least_t;
-    double least;
-    double B_t;
-    double B;
-    double secant_t;
-    double secant;
-    double side_t;
-    double side;
-    double v4;
-    double v3;
-    double v3_t;
-    double alpha_t;
-    double alpha;
-    double v6;
-    double v5;
-    double v5_t;
-    double beta_t;
-    double beta;
-    double v8;
-    double v7;
-    double v7_t;
-    double nr_t;
-    double nr;
-    double v9;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
-    alpha_factor_t = 0.0;
-    alpha_factor = 1.0;
-    beta_factor_t = 0.0;
-    beta_factor = 1.0;
-    nr_factor_t = 0.0;
-    nr_factor = 1.0;
-    if (yawed)
-    {
-        tangent_node_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
-    }
-    v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
-    mean = 0.5 * v1;
-    tangent_node_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), window);
-    middle_t = v2_t;
-    middle = v2;
-    if (middle < 0.0)
-    {
-        middle_t = 0.0;
-        middle = 0.0;
-    }
-    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
-    {
-        A_t = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
-        A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        least_t = node_coefficients__FLOOR * A_t;
-        least = node_coefficients__FLOOR * A;
-        if (prepared)
-        {
-            B_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
-            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            if (B < least)
-            {
-                B_t = least_t;
-                B = least;
-            }
-            secant_t = B_t;
-            secant = B;
-            side_t = B_t;
-            side = B;
-        }
-        else
-        {
-            tangent_node_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
-        }
-        v4 = secant / A;
-        tangent_hertz__table_value_t(&v3, &v3_t, tables, table, INT64_C(0), log(v4), (secant_t - v4 * A_t) / A / v4);
-        alpha_t = v3_t;
-        alpha = v3;
-        v6 = A / side;
-        tangent_hertz__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (A_t - v6 * side_t) / side / v6);
-        beta_t = v5_t;
-        beta = v5;
-        v8 = B / A;
-        tangent_hertz__table_value_t(&v7, &v7_t, tables, table, INT64_C(6), log(v8), (B_t - v8 * A_t) / A / v8);
-        nr_t = v7_t;
-        nr = v7;
-        if (yawed)
-        {
-            alpha_t = alpha_t * alpha_factor + alpha * alpha_factor_t;
-            alpha = alpha * alpha_factor;
-            beta_t = beta_t * beta_factor + beta * beta_factor_t;
-            beta = beta * beta_factor;
-            nr_t = nr_t * nr_factor + nr * nr_factor_t;
-            nr = nr * nr_factor;
-        }
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)) = B_t;
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
-        (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta_t * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        v9 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v9) * nr_t / nr;
-        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v9;
-        (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha_t * A + alpha * A_t;
-        (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``skew_factors``. */
-static inline int64_t tangent_node_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
-{
-    int64_t table;
-    double v1;
-    double B_t;
-    double B;
-    double alpha;
-    double alpha_t;
-    double beta;
-    double beta_t;
-    double nr;
-    double nr_t;
-    double skewed_alpha;
-    double skewed_alpha_t;
-    double skewed_beta;
-    double skewed_beta_t;
-    double skewed_nr;
-    double skewed_nr_t;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
-    B_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
-    B = 0.5 * v1;
-    if (B < node_coefficients__FLOOR * A)
-    {
-        B_t = node_coefficients__FLOOR * A_t;
-        B = node_coefficients__FLOOR * A;
-    }
-    tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    tangent_hertz__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
-    (*v2) = skewed_alpha / alpha;
-    (*v3) = skewed_beta / beta;
-    (*v4) = skewed_nr / nr;
-    (*result_1) = (skewed_alpha_t - (*v2) * alpha_t) / alpha;
-    (*result_3) = (skewed_beta_t - (*v3) * beta_t) / beta;
-    (*result_5) = (skewed_nr_t - (*v4) * nr_t) / nr;
-    return 0;
-}
-
-
-/* ---- From tangent_node_layout.py; change that one.
- *
- * Tangents of node_layout.py.
- */
-
-/* Tangent of ``zone_share``. */
-static inline int64_t tangent_node_layout__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
-{
-    double v2;
-    double v1;
-    double v1_t;
-    double v3;
-    if (side < node_coefficients__FLOOR * A)
-    {
-        side_t = node_coefficients__FLOOR * A_t;
-        side = node_coefficients__FLOOR * A;
-    }
-    v2 = A / side;
-    tangent_hertz__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
-    v3 = node_layout__SPREAD / v1;
-    (*share_t) = (-v3) * v1_t / v1;
-    (*share) = v3;
-    if (((*share) > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
-    {
-        (*share_t) = 0.0;
-        (*share) = node_layout__COVER;
-    }
-    return 0;
-}
-
-/* Tangent of ``node_spacing``. */
-static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t)
-{
-    double v1;
-    double mean_t;
-    double mean;
-    double widest_t;
-    double widest;
-    double v2;
-    double v3;
-    double least_t;
-    double least;
-    int64_t v4;
-    double v5;
-    v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
-    mean = 0.5 * v1;
-    widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
-    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
-    {
-        widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
-        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    }
-    v2 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    v3 = sqrt(v2);
-    least_t = node_layout__NARROWEST * tangent_rates__root_rate(v3, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    least = node_layout__NARROWEST * v3;
-    if (mean < least)
-    {
-        mean_t = least_t;
-        mean = least;
-    }
-    v4 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    (*spacing_t) = mean_t / v4;
-    (*spacing) = mean / v4;
-    if (widest * enlarge > node_layout__WIDEST * (*spacing))
-    {
-        v5 = widest * enlarge;
-        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / node_layout__WIDEST;
-        (*spacing) = v5 / node_layout__WIDEST;
-    }
-    return 0;
-}
-
-/* Tangent of ``prepare_regions``. */
-static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
-{
-    int64_t i;
-    int64_t region;
-    double v1;
-    double v1_t;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        tangent_planes__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        tangent_widths__measure_widths_t(work, work_t, tables, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
-        tangent_node_layout__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
-        (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
-        (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
-        tangent_node_layout__prepare_nodes_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
-        tangent_planes__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``prepare_nodes``. */
-static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
-{
-    bool yawed;
-    double reach_t;
-    double reach;
-    double A_t;
-    double A;
-    double v1;
-    double v1_t;
-    double low_reach_t;
-    double low_reach;
-    double v2;
-    double v2_t;
-    double high_reach_t;
-    double high_reach;
-    double v3;
-    double v4;
-    double v5;
-    yawed = contact_plane__is_yawed(work);
-    reach_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge_t;
-    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
-    A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-    A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    tangent_node_layout__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)));
-    low_reach_t = reach_t * v1 + reach * v1_t;
-    low_reach = reach * v1;
-    tangent_node_layout__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
-    high_reach_t = reach_t * v2 + reach * v2_t;
-    high_reach = reach * v2;
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
-    {
-        v3 = (double)(nodes__node_stride(tables));
-        v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
-    }
-    tangent_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
-    tangent_nodes__bring_nearer_t(work, work_t, region, nodes);
-    tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
-    {
-        tangent_mean_normal__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
-    }
-    v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    (*cspan_at(&work, region + layout__REGION_SQUARE)) = v5;
     return INT64_C(0);
 }
 
@@ -2237,7 +1734,7 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d work, array_dou
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        tangent_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
@@ -2262,7 +1759,7 @@ static inline int64_t tangent_nodes__turn_cosine_t(double* v4, double* result_1,
     double v1;
     double v2;
     double v3;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     v2 = 1.0 + slope * slope;
     v3 = sqrt(v2);
@@ -2317,7 +1814,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
     tangent_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
     tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, v2, v2_t);
-    if ((*gap) < contact_plane__NO_GAP)
+    if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
@@ -2328,7 +1825,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
         (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            tangent_curvature__relative_curvature_t(&v4, &v4_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v4_t;
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v4;
         }
@@ -2371,13 +1868,13 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d work, arra
         if ((k == traced) && (!ended))
         {
             tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
-            if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
+            if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
                 tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
                 tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
             }
-            if (gap >= contact_plane__NO_GAP)
+            if (gap >= frame__NO_GAP)
             {
                 ended = 1;
                 v1 = (double)(direction * k);
@@ -2556,11 +2053,275 @@ static inline int64_t tangent_nodes__extrapolate_node_t(array_double_1d work, ar
     return INT64_C(0);
 }
 
+/* Tangent of ``zone_share``. */
+static inline int64_t tangent_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
+{
+    double v2;
+    double v1;
+    double v1_t;
+    double v3;
+    if (side < coefficients__FLOOR * A)
+    {
+        side_t = coefficients__FLOOR * A_t;
+        side = coefficients__FLOOR * A;
+    }
+    v2 = A / side;
+    tangent_coefficients__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
+    v3 = nodes__SPREAD / v1;
+    (*share_t) = (-v3) * v1_t / v1;
+    (*share) = v3;
+    if (((*share) > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    {
+        (*share_t) = 0.0;
+        (*share) = nodes__COVER;
+    }
+    return 0;
+}
+
+/* Tangent of ``node_spacing``. */
+static inline int64_t tangent_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t)
+{
+    double v1;
+    double mean_t;
+    double mean;
+    double widest_t;
+    double widest;
+    double v2;
+    double v3;
+    double least_t;
+    double least;
+    int64_t v4;
+    double v5;
+    v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    mean = 0.5 * v1;
+    widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
+    {
+        widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    }
+    v2 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v3 = sqrt(v2);
+    least_t = nodes__NARROWEST * tangent_rates__root_rate(v3, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    least = nodes__NARROWEST * v3;
+    if (mean < least)
+    {
+        mean_t = least_t;
+        mean = least;
+    }
+    v4 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
+    (*spacing_t) = mean_t / v4;
+    (*spacing) = mean / v4;
+    if (widest * enlarge > nodes__WIDEST * (*spacing))
+    {
+        v5 = widest * enlarge;
+        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / nodes__WIDEST;
+        (*spacing) = v5 / nodes__WIDEST;
+    }
+    return 0;
+}
+
+/* Tangent of ``prepare_regions``. */
+static inline int64_t tangent_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
+{
+    int64_t i;
+    int64_t region;
+    double v1;
+    double v1_t;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        tangent_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
+        tangent_widths__measure_widths_t(work, work_t, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        tangent_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
+        (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
+        (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
+        tangent_nodes__prepare_nodes_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
+        tangent_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``prepare_nodes``. */
+static inline int64_t tangent_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+{
+    bool yawed;
+    double reach_t;
+    double reach;
+    double A_t;
+    double A;
+    double v1;
+    double v1_t;
+    double low_reach_t;
+    double low_reach;
+    double v2;
+    double v2_t;
+    double high_reach_t;
+    double high_reach;
+    double v3;
+    double v4;
+    double v5;
+    yawed = frame__is_yawed(work);
+    reach_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge_t;
+    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
+    A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+    A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    tangent_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)));
+    low_reach_t = reach_t * v1 + reach * v1_t;
+    low_reach = reach * v1;
+    tangent_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    high_reach_t = reach_t * v2 + reach * v2_t;
+    high_reach = reach * v2;
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
+    {
+        v3 = (double)(nodes__node_stride(tables));
+        v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+    }
+    tangent_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    tangent_nodes__bring_nearer_t(work, work_t, region, nodes);
+    tangent_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    {
+        tangent_patch_places__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+    }
+    v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    (*cspan_at(&work, region + layout__REGION_SQUARE)) = v5;
+    return INT64_C(0);
+}
+
 
 /* ---- From tangent_normal_contact.py; change that one.
  *
  * Tangents of normal_contact.py.
  */
+
+/* Tangent of ``hertz_contact``. */
+static inline int64_t tangent_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+{
+    int64_t point;
+    int64_t table;
+    double A_t;
+    double A;
+    double B_t;
+    double B;
+    double v1;
+    double v1_t;
+    double stiffness_t;
+    double stiffness;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double load_t;
+    double load;
+    double v8;
+    double v9;
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v10;
+    double v11;
+    double v12;
+    double half_length_t;
+    double half_length;
+    double v13;
+    double v14;
+    double v15;
+    double half_width_t;
+    double half_width;
+    int64_t n16;
+    int64_t patch;
+    double v17;
+    double v18;
+    double v19;
+    double pressure_t;
+    double pressure;
+    tangent_frame__locate_along_track_t(work, work_t, tables, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    B_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    if (!(B > coefficients__FLOOR * A))
+    {
+        B_t = coefficients__FLOOR * A_t;
+        B = coefficients__FLOOR * A;
+    }
+    tangent_coefficients__hertz_stiffness_t(&v1, &v1_t, tables, table, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    stiffness_t = v1_t;
+    stiffness = v1;
+    (*penetration_t) = prescribed_t;
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
+        v3 = force / v2;
+        v4 = 2.0 / 3.0;
+        v5 = pow(v3, v4);
+        (*penetration_t) = tangent_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v2);
+        (*penetration) = v5;
+    }
+    v6 = stiffness * (*penetration);
+    v7 = sqrt((*penetration));
+    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v7 + v6 * tangent_rates__root_rate(v7, (*penetration_t));
+    load = v6 * v7;
+    v8 = 1.5 * stiffness;
+    v9 = sqrt((*penetration));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * tangent_rates__root_rate(v9, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v8 * v9;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    tangent_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    v10 = one_alpha * A;
+    v11 = (*penetration) / v10;
+    v12 = sqrt(v11);
+    half_length_t = tangent_rates__root_rate(v12, ((*penetration_t) - v11 * (one_alpha_t * A + one_alpha * A_t)) / v10);
+    half_length = v12;
+    v13 = one_beta * B;
+    v14 = (*penetration) / v13;
+    v15 = sqrt(v14);
+    half_width_t = tangent_rates__root_rate(v15, ((*penetration_t) - v14 * (one_beta_t * B + one_beta * B_t)) / v13);
+    half_width = v15;
+    tangent_filling__clear_patches_t(work, work_t, side);
+    n16 = tangent_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n16;
+    tangent_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
+    v17 = M_PI * half_length;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v17 * half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v17 * half_width;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    v18 = 1.5 * load;
+    v19 = v18 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure_t = (1.5 * load_t - v19 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v19;
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    tangent_filling__finish_patch_t(work, work_t, side);
+    tangent_filling__finish_patches_t(work, work_t, side);
+    (*result_2) = INT64_C(1);
+    (*result_3) = 1;
+    return 0;
+}
 
 /* Tangent of ``solve_normal``. */
 static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
@@ -2569,7 +2330,7 @@ static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        tangent_hertz_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+        tangent_normal_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     }
     else if (model == layout__MODEL_ANALYN)
     {
@@ -2591,6 +2352,119 @@ static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration
  *
  * Tangents of patch_places.py.
  */
+
+/* Tangent of ``mean_normal``. */
+static inline int64_t tangent_patch_places__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+{
+    double v1;
+    double v1_t;
+    double arc_t;
+    double arc;
+    double total_t;
+    double total;
+    double cosines_t;
+    double cosines;
+    double sines_t;
+    double sines;
+    int64_t direction;
+    double x_t;
+    double x;
+    double v2;
+    double step_t;
+    double step;
+    int64_t last;
+    int64_t k;
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    double v3;
+    double v4;
+    double v5;
+    double cosine_t;
+    double cosine;
+    double v6;
+    double weight_t;
+    double weight;
+    double v7;
+    double v9;
+    double v8;
+    double v8_t;
+    double v10;
+    double v11;
+    double v12;
+    double v12_t;
+    tangent_tables__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+    arc_t = v1_t;
+    arc = v1;
+    total_t = 0.0;
+    total = 0.0;
+    cosines_t = 0.0;
+    cosines = 0.0;
+    sines_t = 0.0;
+    sines = 0.0;
+    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
+    {
+        x_t = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+        x = (*cspan_at(&work, region + layout__REGION_RAIL));
+        v2 = (double)(direction);
+        step_t = v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+        step = v2 * (*cspan_at(&work, region + layout__REGION_SPACING));
+        last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
+        if (direction < INT64_C(0))
+        {
+            last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
+        }
+        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
+        {
+            tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
+            v3 = 1.0 + slope * slope;
+            v4 = sqrt(v3);
+            v5 = 1.0 / v4;
+            cosine_t = (-v5) * tangent_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+            cosine = v5;
+            v6 = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k));
+            weight_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
+            weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6;
+            if (weight <= 0.0)
+            {
+                break;
+            }
+            if (k == INT64_C(0))
+            {
+                weight_t = weight_t * 0.5;
+                weight = weight * 0.5;
+            }
+            total_t = total_t + weight_t;
+            total = total + weight;
+            cosines_t = cosines_t + (weight_t * cosine + weight * cosine_t);
+            cosines = cosines + weight * cosine;
+            v7 = weight * slope;
+            sines_t = sines_t + ((weight_t * slope + weight * slope_t) * cosine + v7 * cosine_t);
+            sines = sines + v7 * cosine;
+            v9 = (double)(k + INT64_C(1));
+            tangent_tables__read_cubic_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
+            x_t = v8_t;
+            x = v8;
+        }
+    }
+    if (total > 0.0)
+    {
+        v10 = cosines / total;
+        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v10 * total_t) / total;
+        (*cspan_at(&work, region + layout__REGION_COS)) = v10;
+        v11 = sines / total;
+        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
+        (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        {
+            tangent_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v12_t;
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = v12;
+        }
+    }
+    return INT64_C(0);
+}
 
 /* Tangent of ``place_patches``. */
 static inline int64_t tangent_patch_places__place_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side)
@@ -2714,7 +2588,7 @@ static inline int64_t tangent_patch_places__place_load_t(array_double_1d work, a
     tangent_patch_places__abscissa_at_t(&v2, &v2_t, work, work_t, tables, region, away, away_t);
     abscissa_t = v2_t;
     abscissa = v2;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
@@ -2760,11 +2634,11 @@ static inline int64_t tangent_patch_places__place_load_t(array_double_1d work, a
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - x * force_z;
     (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + (x_t * force_y + x * force_y_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + x * force_y;
-    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    tangent_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     v11 = 1.0 + wheel_slope * wheel_slope;
     v12 = sqrt(v11);
     v13 = away / v12;
-    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * tangent_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
+    tangent_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * tangent_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
     (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (load_t * x + load * x_t);
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + load * x;
     (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) + (load_t * y + load * y_t);
@@ -2786,7 +2660,7 @@ static inline int64_t tangent_patch_places__abscissa_at_t(double* abscissa, doub
     (*abscissa) = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
+        tangent_curves__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
         (*abscissa_t) = v1_t;
         (*abscissa) = v1;
     }
@@ -2861,13 +2735,13 @@ static inline int64_t tangent_patch_places__place_strips_t(array_double_1d work,
         tangent_patch_places__abscissa_at_t(&v1, &v1_t, work, work_t, tables, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
         abscissa_t = v1_t;
         abscissa = v1;
-        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+        tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
         tangent_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = z_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, layout__TABLES_RADIUS)) + height;
     }
@@ -2879,6 +2753,193 @@ static inline int64_t tangent_patch_places__place_strips_t(array_double_1d work,
  *
  * Tangents of strip_contact.py.
  */
+
+/* Tangent of ``find_zones``. */
+static inline int64_t tangent_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t)
+{
+    int64_t index;
+    int64_t region;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        tangent_frame__enter_plane_t(work, work_t, region, index);
+        tangent_strip_contact__measure_zone_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
+        tangent_frame__leave_plane_t(work, work_t, region);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``measure_zone``. */
+static inline int64_t tangent_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t)
+{
+    double depth_t;
+    double depth;
+    double shallow_t;
+    double shallow;
+    double level_t;
+    double level;
+    double bend_t;
+    double bend;
+    double v1;
+    double v2;
+    double v3;
+    double estimate_t;
+    double estimate;
+    double v4;
+    double v4_t;
+    double high_t;
+    double high;
+    double v5;
+    double v5_t;
+    double low_t;
+    double low;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    shallow_t = strip_contact__SHALLOW * deepest_t;
+    shallow = strip_contact__SHALLOW * deepest;
+    if (shallow > strip_contact__OWN_SHALLOW * depth)
+    {
+        shallow_t = strip_contact__OWN_SHALLOW * depth_t;
+        shallow = strip_contact__OWN_SHALLOW * depth;
+    }
+    level_t = depth_t - shallow_t;
+    level = depth - shallow;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
+    if (level > 0.0)
+    {
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
+        bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+        bend = (*cspan_at(&work, region + layout__REGION_BEND));
+        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+        {
+            bend_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        }
+        v1 = 2.0 * level;
+        v2 = v1 / bend;
+        v3 = sqrt(v2);
+        estimate_t = tangent_rates__root_rate(v3, (2.0 * level_t - v2 * bend_t) / bend);
+        estimate = v3;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        tangent_widths__width_rule_t(&v4, &v4_t, work, work_t, tables, region, state, 1.0, 0.0, level, level_t, estimate, estimate_t);
+        high_t = v4_t;
+        high = v4;
+        tangent_widths__width_rule_t(&v5, &v5_t, work, work_t, tables, region, state, -1.0, 0.0, level, level_t, high, high_t);
+        low_t = v5_t;
+        low = v5;
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``lay_strips``. */
+static inline int64_t tangent_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+{
+    tangent_strip_layout__divide_cells_t(work, work_t, count, wanted);
+    tangent_strip_surfaces__trace_strips_t(work, work_t, tables, state, count);
+    tangent_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    tangent_strip_surfaces__incline_strips_t(work, work_t, tables);
+    return INT64_C(0);
+}
+
+/* Tangent of ``first_layout``. */
+static inline int64_t tangent_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+{
+    double penetration_t;
+    double penetration;
+    bool found;
+    int64_t sweep;
+    tangent_strip_layout__zone_cells_t(work, work_t, count);
+    tangent_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, count);
+    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = 0;
+    for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
+    {
+        tangent_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, by_penetration);
+        if (!found)
+        {
+            (*result_0) = penetration;
+            (*result_1) = penetration_t;
+            (*result_2) = found;
+            return 0;
+        }
+        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, frame__is_yawed(work));
+        tangent_strip_lengths__adopt_lengths_t(work, work_t);
+    }
+    tangent_strip_layout__strip_cells_t(work, work_t);
+    (*result_0) = penetration;
+    (*result_1) = penetration_t;
+    (*result_2) = found;
+    return 0;
+}
+
+/* Tangent of ``second_layout``. */
+static inline int64_t tangent_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+{
+    double penetration_t;
+    double penetration;
+    bool found;
+    int64_t sweep_end;
+    int64_t sweep;
+    bool last;
+    bool given;
+    tangent_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    tangent_strip_surfaces__lengths_before_t(work, work_t, tables);
+    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = 0;
+    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
+    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
+    {
+        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
+        given = 1;
+        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        {
+            given = by_penetration;
+        }
+        tangent_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, given);
+        if (!found)
+        {
+            (*result_0) = penetration;
+            (*result_1) = penetration_t;
+            (*result_2) = found;
+            return 0;
+        }
+        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+        {
+            tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, frame__is_yawed(work));
+        }
+        if (!last)
+        {
+            tangent_strip_lengths__adopt_lengths_t(work, work_t);
+        }
+    }
+    (*result_0) = penetration;
+    (*result_1) = penetration_t;
+    (*result_2) = found;
+    return 0;
+}
+
+/* Tangent of ``solve_strips``. */
+static inline int64_t tangent_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration)
+{
+    tangent_strip_surfaces__set_gaps_t(work, work_t);
+    tangent_strip_pressures__begin_influences_t(work, work_t);
+    tangent_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, state, force, force_t, by_penetration, frame__is_yawed(work));
+    return 0;
+}
 
 /* Tangent of ``strip_contact``. */
 static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
@@ -2901,7 +2962,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
     {
         n1 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
         count = n1;
-        tangent_strips__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, 1);
+        tangent_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, 1);
     }
     else
     {
@@ -2932,7 +2993,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
             }
             n4 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
             count = n4;
-            tangent_strips__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+            tangent_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
             {
                 break;
@@ -2947,7 +3008,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
     }
     if (satisfied)
     {
-        tangent_strips__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+        tangent_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
     }
     if (satisfied)
     {
@@ -2955,7 +3016,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_00
     }
     if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        tangent_planes__locate_along_track_t(work, work_t, tables, count);
+        tangent_frame__locate_along_track_t(work, work_t, tables, count);
         tangent_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
     }
     (*result_0_0001) = penetration;
@@ -2971,7 +3032,7 @@ static inline int64_t tangent_strip_contact__coarse_contact_t(double* penetratio
     int64_t n1;
     n1 = tangent_strip_contact__open_zones_t(work, work_t, tables, state);
     (*count) = n1;
-    tangent_strips__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, 0);
+    tangent_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, 0);
     if ((*satisfied))
     {
         tangent_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
@@ -2990,473 +3051,8 @@ static inline int64_t tangent_strip_contact__open_zones_t(array_double_1d work, 
     n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    tangent_strip_zones__find_zones_t(work, work_t, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    tangent_strip_contact__find_zones_t(work, work_t, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
-}
-
-
-/* ---- From tangent_strip_edges.py; change that one.
- *
- * Tangents of strip_edges.py.
- */
-
-/* Tangent of ``run_edge``. */
-static inline int64_t tangent_strip_edges__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward)
-{
-    double station_t;
-    double station;
-    double v1;
-    double limit_t;
-    double limit;
-    int64_t after;
-    int64_t pair;
-    int64_t inner;
-    double fall_t;
-    double fall;
-    double v2;
-    double v3;
-    double reach_t;
-    double reach;
-    station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    v1 = 0.5 * (double)(outward);
-    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    if (last != first)
-    {
-        limit_t = (*edge_t);
-        limit = (*edge);
-        after = last + outward;
-        pair = last;
-        if (outward < INT64_C(0))
-        {
-            pair = last - INT64_C(1);
-        }
-        if ((after >= INT64_C(0)) && (after < count))
-        {
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
-            {
-                limit_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-            }
-        }
-        inner = last - outward;
-        fall_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        (*edge_t) = limit_t;
-        (*edge) = limit;
-        if (fall > 0.0)
-        {
-            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
-            v3 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
-            reach_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
-            reach = v2 * v3;
-            if (reach * (double)(outward) < (limit - station) * (double)(outward))
-            {
-                (*edge_t) = station_t + reach_t;
-                (*edge) = station + reach;
-            }
-        }
-    }
-    return 0;
-}
-
-
-/* ---- From tangent_strip_influence.py; change that one.
- *
- * Tangents of strip_influence.py.
- */
-
-/* Tangent of ``nearness``. */
-static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
-{
-    double v1;
-    double v2;
-    v1 = distance + half_length;
-    v2 = distance / v1;
-    (*v3) = sqrt(v2);
-    (*result_1) = tangent_rates__root_rate((*v3), (distance_t - v2 * (distance_t + half_length_t)) / v1);
-    return 0;
-}
-
-/* Tangent of ``apartness``. */
-static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t)
-{
-    double square_t;
-    double square;
-    double v1;
-    square_t = x_t * x + x * x_t;
-    square = x * x;
-    v1 = square + half_length * half_length;
-    (*v2) = square / v1;
-    (*result_1) = (square_t - (*v2) * (square_t + (half_length_t * half_length + half_length * half_length_t))) / v1;
-    return 0;
-}
-
-/* Tangent of ``influence_at``. */
-static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
-{
-    double v1;
-    double place_t;
-    double place;
-    int64_t cell;
-    double v2;
-    double along_t;
-    double along;
-    int64_t column;
-    double x_t;
-    double x;
-    double share_t;
-    double share;
-    int64_t at;
-    int64_t to;
-    double v3;
-    double low_t;
-    double low;
-    double v4;
-    double high_t;
-    double high;
-    double v5;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    v2 = (double)(layout__INFLUENCE_COLUMNS);
-    along_t = v_t * v2;
-    along = v * v2;
-    column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
-    x_t = place_t;
-    x = place - (double)(cell);
-    share_t = along_t;
-    share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
-    to = at + layout__INFLUENCE_COLUMN;
-    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    low_t = x_t * v3 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v3;
-    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
-    high_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v4;
-    v5 = high - low;
-    (*result_0) = low + share * v5;
-    (*result_1) = low_t + (share_t * v5 + share * (high_t - low_t));
-    return 0;
-}
-
-/* Tangent of ``middle_influence``. */
-static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
-{
-    double v1;
-    double place_t;
-    double place;
-    int64_t cell;
-    double x_t;
-    double x;
-    int64_t at;
-    double v2;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    x_t = place_t;
-    x = place - (double)(cell);
-    at = first + INT64_C(3) * cell;
-    v2 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v2;
-    (*result_1) = x_t * v2 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    return 0;
-}
-
-/* Tangent of ``mean_at``. */
-static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
-{
-    double half_t;
-    double half;
-    double near_t;
-    double near;
-    double far_t;
-    double far;
-    double v2;
-    double v2_t;
-    double v1;
-    double v1_t;
-    double inner_t;
-    double inner;
-    double v4;
-    double v4_t;
-    double v3;
-    double v3_t;
-    double outer_t;
-    double outer;
-    double v5;
-    half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
-    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near_t = distance_t - half_t;
-    near = distance - half;
-    if (near < 0.0)
-    {
-        near_t = 0.0;
-        near = 0.0;
-    }
-    far_t = distance_t + half_t;
-    far = distance + half;
-    tangent_strip_influence__nearness_t(&v2, &v2_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, v, v_t);
-    inner_t = v1_t;
-    inner = v1;
-    tangent_strip_influence__nearness_t(&v4, &v4_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, v, v_t);
-    outer_t = v3_t;
-    outer = v3;
-    v5 = far * outer - near * inner;
-    (*v6) = v5 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v6) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    return 0;
-}
-
-/* Tangent of ``begin_influences``. */
-static inline int64_t tangent_strip_influence__begin_influences_t(array_double_1d work, array_double_1d work_t)
-{
-    int64_t j_end;
-    int64_t j;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``know_influences``. */
-static inline int64_t tangent_strip_influence__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed)
-{
-    int64_t j_end;
-    int64_t j;
-    int64_t strip;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
-        {
-            tangent_strip_influence__fill_column_t(tables, work, work_t, table, j, yawed);
-            (*cspan_at(&work_t, strip + layout__STRIP_KNOWN)) = 0.0;
-            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``fill_column``. */
-static inline int64_t tangent_strip_influence__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed)
-{
-    int64_t other;
-    double x_t;
-    double x;
-    double half_t;
-    double half;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double v2;
-    double v1;
-    double v1_t;
-    double u_t;
-    double u;
-    double v4;
-    double v4_t;
-    double v3;
-    double v3_t;
-    double influence_t;
-    double influence;
-    double v5;
-    double v5_t;
-    double v6;
-    double v8;
-    double v9;
-    double v9_t;
-    double v7;
-    double v7_t;
-    double v10;
-    double v11;
-    double v11_t;
-    double v12;
-    double v12_t;
-    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-    x_t = (*cspan_at(&work_t, other + layout__STRIP_X)) + (*cspan_at(&work_t, other + layout__STRIP_LEAD));
-    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
-    half_t = (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH));
-    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (i != j)
-        {
-            v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            tangent_strip_influence__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
-            u_t = v1_t;
-            u = v1;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
-            if (yawed)
-            {
-                tangent_strip_influence__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-                tangent_strip_influence__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
-                influence_t = v3_t;
-                influence = v3;
-            }
-            else
-            {
-                tangent_strip_influence__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
-                influence_t = v5_t;
-                influence = v5;
-            }
-            v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
-        }
-    }
-    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
-    {
-        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            v8 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            tangent_strip_influence__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-            tangent_strip_influence__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), tangent_rates__size_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v9, v9_t);
-            influence_t = v7_t;
-            influence = v7;
-            v10 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v10 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v10;
-        }
-    }
-    tangent_strip_influence__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, other + layout__STRIP_BREADTH)), half, half_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11;
-    tangent_strip_influence__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12;
-    return INT64_C(0);
-}
-
-/* Tangent of ``far_displacement``. */
-static inline int64_t tangent_strip_influence__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last)
-{
-    int64_t near;
-    double cosine_t;
-    double cosine;
-    double sine_t;
-    double sine;
-    int64_t j;
-    int64_t other;
-    double v1;
-    double v1_t;
-    double v_t;
-    double v;
-    double v2;
-    double v2_t;
-    double v3;
-    double v4;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    (*total_t) = 0.0;
-    (*total) = 0.0;
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-        {
-            tangent_strip_influence__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            v_t = v1_t;
-            v = v1;
-            tangent_strip_influence__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
-            v3 = v2 * (*cspan_at(&work, other + layout__STRIP_Y));
-            v4 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*total_t) = (*total_t) + ((v2_t * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v4 + v3 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-            (*total) = (*total) + v3 * v4;
-        }
-    }
-    return 0;
-}
-
-/* Tangent of ``end_displacement``. */
-static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
-{
-    int64_t count;
-    int64_t strip;
-    double x_t;
-    double x;
-    double v2;
-    double v2_t;
-    double v1;
-    double v1_t;
-    int64_t first;
-    int64_t last;
-    int64_t j;
-    int64_t other;
-    double v4;
-    double v5;
-    double v5_t;
-    double v3;
-    double v3_t;
-    double influence_t;
-    double influence;
-    double v6;
-    double v7;
-    double v8;
-    double v8_t;
-    double v9;
-    double v9_t;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    tangent_strip_influence__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    tangent_strip_influence__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
-    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v1_t;
-    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v1;
-    first = i;
-    last = i + INT64_C(1);
-    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
-    {
-        if ((j >= INT64_C(0)) && (j < count))
-        {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            if (j < i)
-            {
-                first = j;
-            }
-            else
-            {
-                last = j + INT64_C(1);
-            }
-            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-            {
-                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                tangent_strip_influence__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-                tangent_strip_influence__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), tangent_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v5, v5_t);
-                influence_t = v3_t;
-                influence = v3;
-                v6 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
-                v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v7 + v6 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-                (*total) = (*total) + v6 * v7;
-            }
-        }
-    }
-    tangent_strip_influence__far_displacement_t(&v8, &v8_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
-    (*total_t) = (*total_t) + v8_t;
-    (*total) = (*total) + v8;
-    tangent_strip_influence__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, last, count);
-    (*total_t) = (*total_t) + v9_t;
-    (*total) = (*total) + v9;
-    return 0;
 }
 
 
@@ -4080,7 +3676,7 @@ static inline int64_t tangent_strip_lengths__correct_strip_t(double* result_0, d
     own = v1;
     needed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
     needed = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-    tangent_strip_influence__end_displacement_t(&v2, &v2_t, tables, work, work_t, table, i, away, away_t);
+    tangent_strip_pressures__end_displacement_t(&v2, &v2_t, tables, work, work_t, table, i, away, away_t);
     front_t = v2_t;
     front = v2;
     back_t = front_t;
@@ -4092,7 +3688,7 @@ static inline int64_t tangent_strip_lengths__correct_strip_t(double* result_0, d
     back_gap = front_gap;
     if (yawed)
     {
-        tangent_strip_influence__end_displacement_t(&v4, &v4_t, tables, work, work_t, table, i, -away, -away_t);
+        tangent_strip_pressures__end_displacement_t(&v4, &v4_t, tables, work, work_t, table, i, -away, -away_t);
         back_t = v4_t;
         back = v4;
         tangent_strip_lengths__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
@@ -4360,6 +3956,67 @@ static inline int64_t tangent_strip_lengths__limit_lengths_t(array_double_1d wor
  * Tangents of strip_patches.py.
  */
 
+/* Tangent of ``run_edge``. */
+static inline int64_t tangent_strip_patches__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward)
+{
+    double station_t;
+    double station;
+    double v1;
+    double limit_t;
+    double limit;
+    int64_t after;
+    int64_t pair;
+    int64_t inner;
+    double fall_t;
+    double fall;
+    double v2;
+    double v3;
+    double reach_t;
+    double reach;
+    station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    v1 = 0.5 * (double)(outward);
+    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    if (last != first)
+    {
+        limit_t = (*edge_t);
+        limit = (*edge);
+        after = last + outward;
+        pair = last;
+        if (outward < INT64_C(0))
+        {
+            pair = last - INT64_C(1);
+        }
+        if ((after >= INT64_C(0)) && (after < count))
+        {
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
+            {
+                limit_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+            }
+        }
+        inner = last - outward;
+        fall_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        (*edge_t) = limit_t;
+        (*edge) = limit;
+        if (fall > 0.0)
+        {
+            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
+            v3 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
+            reach_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
+            reach = v2 * v3;
+            if (reach * (double)(outward) < (limit - station) * (double)(outward))
+            {
+                (*edge_t) = station_t + reach_t;
+                (*edge) = station + reach;
+            }
+        }
+    }
+    return 0;
+}
+
 /* Tangent of ``fill_from_strips``. */
 static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t count)
 {
@@ -4377,7 +4034,7 @@ static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d 
         last = first;
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
         {
-            last = strip_edges__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
+            last = strip_patches__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
             tangent_strip_patches__fill_run_t(work, work_t, side, first, last);
         }
         first = last + INT64_C(1);
@@ -4417,10 +4074,10 @@ static inline int64_t tangent_strip_patches__fill_run_t(array_double_1d work, ar
         tangent_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
         tangent_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
     }
-    tangent_strip_edges__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
+    tangent_strip_patches__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
     start_t = v1_t;
     start = v1;
-    tangent_strip_edges__run_edge_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
+    tangent_strip_patches__run_edge_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
     stop_t = v2_t;
     stop = v2;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
@@ -4916,6 +4573,488 @@ static inline int64_t tangent_strip_patches__largest_square_t(double* square, do
  * Tangents of strip_pressures.py.
  */
 
+/* Tangent of ``eliminate``. */
+static inline int64_t tangent_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
+{
+    int64_t width;
+    int64_t pair;
+    int64_t k;
+    int64_t first;
+    int64_t second;
+    double v1;
+    double inverse_t;
+    double inverse;
+    double factor_t;
+    double factor;
+    int64_t j;
+    double v2;
+    double next_inverse_t;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
+    double v3;
+    double next_factor_t;
+    double next_factor;
+    int64_t back;
+    int64_t pivot;
+    double one_t;
+    double one;
+    double other_t;
+    double other;
+    double v4;
+    double v5;
+    width = size + INT64_C(2);
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    {
+        k = INT64_C(2) * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        v1 = 1.0 / (*cspan_at(&work, first + k));
+        inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
+        inverse = v1;
+        factor_t = (*cspan_at(&work_t, second + k)) * inverse + (*cspan_at(&work, second + k)) * inverse_t;
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            (*cspan_at(&work_t, second + j)) = (*cspan_at(&work_t, second + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j)));
+            (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
+        }
+        v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
+        next_inverse_t = (-v2) * (*cspan_at(&work_t, second + (k + INT64_C(1)))) / (*cspan_at(&work, second + (k + INT64_C(1))));
+        next_inverse = v2;
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        {
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
+            factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
+            factor = (*cspan_at(&work, row + k)) * inverse;
+            v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
+            next_factor_t = ((*cspan_at(&work_t, row + (k + INT64_C(1)))) - (factor_t * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * (*cspan_at(&work_t, first + (k + INT64_C(1)))))) * next_inverse + v3 * next_inverse_t;
+            next_factor = v3 * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            {
+                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j))) - (next_factor_t * (*cspan_at(&work, second + j)) + next_factor * (*cspan_at(&work_t, second + j)));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+            }
+        }
+    }
+    for (back = INT64_C(0); back < size; back += INT64_C(1))
+    {
+        k = size - INT64_C(1) - back;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        one_t = (*cspan_at(&work_t, pivot + size));
+        one = (*cspan_at(&work, pivot + size));
+        other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
+        other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
+        for (j = k + INT64_C(1); j < size; j += INT64_C(1))
+        {
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
+            one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
+            one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
+            other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
+            other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
+        }
+        v4 = one / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + size)) = (one_t - v4 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + size)) = v4;
+        v5 = other / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v5 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``nearness``. */
+static inline int64_t tangent_strip_pressures__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
+{
+    double v1;
+    double v2;
+    v1 = distance + half_length;
+    v2 = distance / v1;
+    (*v3) = sqrt(v2);
+    (*result_1) = tangent_rates__root_rate((*v3), (distance_t - v2 * (distance_t + half_length_t)) / v1);
+    return 0;
+}
+
+/* Tangent of ``apartness``. */
+static inline int64_t tangent_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t)
+{
+    double square_t;
+    double square;
+    double v1;
+    square_t = x_t * x + x * x_t;
+    square = x * x;
+    v1 = square + half_length * half_length;
+    (*v2) = square / v1;
+    (*result_1) = (square_t - (*v2) * (square_t + (half_length_t * half_length + half_length * half_length_t))) / v1;
+    return 0;
+}
+
+/* Tangent of ``influence_at``. */
+static inline int64_t tangent_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    double v2;
+    double along_t;
+    double along;
+    int64_t column;
+    double x_t;
+    double x;
+    double share_t;
+    double share;
+    int64_t at;
+    int64_t to;
+    double v3;
+    double low_t;
+    double low;
+    double v4;
+    double high_t;
+    double high;
+    double v5;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
+    v2 = (double)(layout__INFLUENCE_COLUMNS);
+    along_t = v_t * v2;
+    along = v * v2;
+    column = strip_pressures__cell_at(along, layout__INFLUENCE_COLUMNS);
+    x_t = place_t;
+    x = place - (double)(cell);
+    share_t = along_t;
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
+    to = at + layout__INFLUENCE_COLUMN;
+    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    low_t = x_t * v3 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v3;
+    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
+    high_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v4;
+    v5 = high - low;
+    (*result_0) = low + share * v5;
+    (*result_1) = low_t + (share_t * v5 + share * (high_t - low_t));
+    return 0;
+}
+
+/* Tangent of ``middle_influence``. */
+static inline int64_t tangent_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+{
+    double v1;
+    double place_t;
+    double place;
+    int64_t cell;
+    double x_t;
+    double x;
+    int64_t at;
+    double v2;
+    v1 = (double)(layout__INFLUENCE_CELLS);
+    place_t = u_t * v1;
+    place = u * v1;
+    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
+    x_t = place_t;
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    v2 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v2;
+    (*result_1) = x_t * v2 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    return 0;
+}
+
+/* Tangent of ``mean_at``. */
+static inline int64_t tangent_strip_pressures__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
+{
+    double half_t;
+    double half;
+    double near_t;
+    double near;
+    double far_t;
+    double far;
+    double v2;
+    double v2_t;
+    double v1;
+    double v1_t;
+    double inner_t;
+    double inner;
+    double v4;
+    double v4_t;
+    double v3;
+    double v3_t;
+    double outer_t;
+    double outer;
+    double v5;
+    half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
+    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    near_t = distance_t - half_t;
+    near = distance - half;
+    if (near < 0.0)
+    {
+        near_t = 0.0;
+        near = 0.0;
+    }
+    far_t = distance_t + half_t;
+    far = distance + half;
+    tangent_strip_pressures__nearness_t(&v2, &v2_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, v, v_t);
+    inner_t = v1_t;
+    inner = v1;
+    tangent_strip_pressures__nearness_t(&v4, &v4_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, v, v_t);
+    outer_t = v3_t;
+    outer = v3;
+    v5 = far * outer - near * inner;
+    (*v6) = v5 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v6) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    return 0;
+}
+
+/* Tangent of ``begin_influences``. */
+static inline int64_t tangent_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t j_end;
+    int64_t j;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``know_influences``. */
+static inline int64_t tangent_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed)
+{
+    int64_t j_end;
+    int64_t j;
+    int64_t strip;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
+        {
+            tangent_strip_pressures__fill_column_t(tables, work, work_t, table, j, yawed);
+            (*cspan_at(&work_t, strip + layout__STRIP_KNOWN)) = 0.0;
+            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_column``. */
+static inline int64_t tangent_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed)
+{
+    int64_t other;
+    double x_t;
+    double x;
+    double half_t;
+    double half;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double v2;
+    double v1;
+    double v1_t;
+    double u_t;
+    double u;
+    double v4;
+    double v4_t;
+    double v3;
+    double v3_t;
+    double influence_t;
+    double influence;
+    double v5;
+    double v5_t;
+    double v6;
+    double v8;
+    double v9;
+    double v9_t;
+    double v7;
+    double v7_t;
+    double v10;
+    double v11;
+    double v11_t;
+    double v12;
+    double v12_t;
+    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+    x_t = (*cspan_at(&work_t, other + layout__STRIP_X)) + (*cspan_at(&work_t, other + layout__STRIP_LEAD));
+    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
+    half_t = (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH));
+    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if (i != j)
+        {
+            v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+            tangent_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), tangent_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
+            u_t = v1_t;
+            u = v1;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            if (yawed)
+            {
+                tangent_strip_pressures__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+                tangent_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
+                influence_t = v3_t;
+                influence = v3;
+            }
+            else
+            {
+                tangent_strip_pressures__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
+                influence_t = v5_t;
+                influence = v5;
+            }
+            v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
+        }
+    }
+    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
+    {
+        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            v8 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+            tangent_strip_pressures__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+            tangent_strip_pressures__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), tangent_rates__size_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v9, v9_t);
+            influence_t = v7_t;
+            influence = v7;
+            v10 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v10 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v10;
+        }
+    }
+    tangent_strip_pressures__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, other + layout__STRIP_BREADTH)), half, half_t);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11;
+    tangent_strip_pressures__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12;
+    return INT64_C(0);
+}
+
+/* Tangent of ``far_displacement``. */
+static inline int64_t tangent_strip_pressures__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last)
+{
+    int64_t near;
+    double cosine_t;
+    double cosine;
+    double sine_t;
+    double sine;
+    int64_t j;
+    int64_t other;
+    double v1;
+    double v1_t;
+    double v_t;
+    double v;
+    double v2;
+    double v2_t;
+    double v3;
+    double v4;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
+    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
+    (*total_t) = 0.0;
+    (*total) = 0.0;
+    for (j = first; j < last; j += INT64_C(1))
+    {
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+        {
+            tangent_strip_pressures__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            v_t = v1_t;
+            v = v1;
+            tangent_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
+            v3 = v2 * (*cspan_at(&work, other + layout__STRIP_Y));
+            v4 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*total_t) = (*total_t) + ((v2_t * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v4 + v3 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+            (*total) = (*total) + v3 * v4;
+        }
+    }
+    return 0;
+}
+
+/* Tangent of ``end_displacement``. */
+static inline int64_t tangent_strip_pressures__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
+{
+    int64_t count;
+    int64_t strip;
+    double x_t;
+    double x;
+    double v2;
+    double v2_t;
+    double v1;
+    double v1_t;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t other;
+    double v4;
+    double v5;
+    double v5_t;
+    double v3;
+    double v3_t;
+    double influence_t;
+    double influence;
+    double v6;
+    double v7;
+    double v8;
+    double v8_t;
+    double v9;
+    double v9_t;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    tangent_strip_pressures__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    tangent_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
+    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v1_t;
+    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v1;
+    first = i;
+    last = i + INT64_C(1);
+    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    {
+        if ((j >= INT64_C(0)) && (j < count))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            if (j < i)
+            {
+                first = j;
+            }
+            else
+            {
+                last = j + INT64_C(1);
+            }
+            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+            {
+                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                tangent_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+                tangent_strip_pressures__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), tangent_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v5, v5_t);
+                influence_t = v3_t;
+                influence = v3;
+                v6 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
+                v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v7 + v6 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+                (*total) = (*total) + v6 * v7;
+            }
+        }
+    }
+    tangent_strip_pressures__far_displacement_t(&v8, &v8_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
+    (*total_t) = (*total_t) + v8_t;
+    (*total) = (*total) + v8;
+    tangent_strip_pressures__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, last, count);
+    (*total_t) = (*total_t) + v9_t;
+    (*total) = (*total) + v9;
+    return 0;
+}
+
 /* Tangent of ``solve_pressures``. */
 static inline int64_t tangent_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration, bool yawed)
 {
@@ -4933,11 +5072,11 @@ static inline int64_t tangent_strip_pressures__solve_pressures_t(double* result_
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_STRIP_COUNT)) = (*cspan_at(&state, layout__STATE_STRIP_COUNT)) + 1.0;
-        tangent_strip_influence__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
+        tangent_strip_pressures__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         n1 = tangent_strip_pressures__list_loaded_t(work, work_t);
         size = n1;
         tangent_strip_pressures__write_equations_t(work, work_t, size);
-        tangent_elimination__eliminate_t(work, work_t, size);
+        tangent_strip_pressures__eliminate_t(work, work_t, size);
         if (!by_penetration)
         {
             tangent_strip_pressures__equilibrium_penetration_t(&v2, &v2_t, work, work_t, tables, size, force, force_t);
@@ -5145,7 +5284,7 @@ static inline int64_t tangent_strip_surfaces__trace_strips_t(array_double_1d wor
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        tangent_planes__enter_plane_t(work, work_t, region, index);
+        tangent_frame__enter_plane_t(work, work_t, region, index);
         started = 0;
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -5162,7 +5301,7 @@ static inline int64_t tangent_strip_surfaces__trace_strips_t(array_double_1d wor
                 tangent_strip_surfaces__trace_strip_t(work, work_t, tables, state, region, strip);
             }
         }
-        tangent_planes__leave_plane_t(work, work_t, region);
+        tangent_frame__leave_plane_t(work, work_t, region);
     }
     return INT64_C(0);
 }
@@ -5191,15 +5330,15 @@ static inline int64_t tangent_strip_surfaces__trace_strip_t(array_double_1d work
     (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -contact_plane__NO_GAP;
-    if (gap < contact_plane__NO_GAP)
+    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
+    if (gap < frame__NO_GAP)
     {
         (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
         (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
         (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = -rate_t;
         (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -5215,7 +5354,7 @@ static inline int64_t tangent_strip_surfaces__trace_strip_t(array_double_1d work
     (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
     (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    if (contact_plane__is_yawed(work))
+    if (frame__is_yawed(work))
     {
         tangent_locus__outline_x_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
         (*cspan_at(&work_t, strip + layout__STRIP_X)) = v4_t;
@@ -5365,7 +5504,7 @@ static inline int64_t tangent_strip_surfaces__profile_within_t(double* z, double
         y_t = 0.0;
         y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     }
-    tangent_profile_table__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
+    tangent_tables__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
     return 0;
 }
 
@@ -5411,7 +5550,7 @@ static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d wo
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
         across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
         across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
+        tangent_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
         tangent_strip_surfaces__profile_within_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
         before_t = v2_t;
         before = v2;
@@ -5429,7 +5568,7 @@ static inline int64_t tangent_strip_surfaces__measure_ridge_t(array_double_1d wo
             mean_t = (before_t + after_t - 2.0 * z_t - v5 * square_t) / square;
             mean = v5;
         }
-        tangent_longitudinal_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
+        tangent_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
         (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v6_t;
         (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v6;
         v7 = after - before;
@@ -5533,24 +5672,24 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
         v4 = sqrt(v3);
         B_t = tangent_rates__root_rate(v4, low_t * high + low * high_t);
         B = v4;
-        tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+        tangent_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
         lean_t = 0.0;
         lean = 0.0;
         v6 = A / low;
-        tangent_hertz__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v6), (A_t - v6 * low_t) / low / v6);
+        tangent_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v6), (A_t - v6 * low_t) / low / v6);
         low_beta_t = v5_t;
         low_beta = v5;
         v8 = A / high;
-        tangent_hertz__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v8), (A_t - v8 * high_t) / high / v8);
+        tangent_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v8), (A_t - v8 * high_t) / high / v8);
         high_beta_t = v7_t;
         high_beta = v7;
-        if (contact_plane__is_yawed(work))
+        if (frame__is_yawed(work))
         {
             tangent_strip_surfaces__ridge_slant_t(&v9, &v9_t, work, work_t, index);
             slant_t = v9_t;
             slant = v9;
-            tangent_hertz__skewed_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
-            tangent_hertz__middle_slant_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+            tangent_coefficients__skewed_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+            tangent_coefficients__middle_slant_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
             lean_t = v10_t - slant_t;
             lean = v10 - slant;
             v11 = beta / one_beta;
@@ -5568,7 +5707,7 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
             if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
             {
-                if (contact_plane__is_yawed(work))
+                if (frame__is_yawed(work))
                 {
                     overlap_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
                     overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
@@ -5592,7 +5731,7 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
                 farthest_t = strip_surfaces__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
                 farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
                 v16 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
-                tangent_touching__limited_t(&v15, &v15_t, lean * v16, lean_t * v16 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
+                tangent_pressed__limited_t(&v15, &v15_t, lean * v16, lean_t * v16 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
                 (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v15_t;
                 (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v15;
             }
@@ -5712,7 +5851,7 @@ static inline int64_t tangent_strip_surfaces__lengths_before_t(array_double_1d w
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (contact_plane__is_yawed(work))
+        if (frame__is_yawed(work))
         {
             tangent_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         }
@@ -5738,366 +5877,4 @@ static inline int64_t tangent_strip_surfaces__set_gaps_t(array_double_1d work, a
         (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + v1;
     }
     return INT64_C(0);
-}
-
-
-/* ---- From tangent_strip_zones.py; change that one.
- *
- * Tangents of strip_zones.py.
- */
-
-/* Tangent of ``find_zones``. */
-static inline int64_t tangent_strip_zones__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t)
-{
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        tangent_planes__enter_plane_t(work, work_t, region, index);
-        tangent_strip_zones__measure_zone_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
-        tangent_planes__leave_plane_t(work, work_t, region);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``measure_zone``. */
-static inline int64_t tangent_strip_zones__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t)
-{
-    double depth_t;
-    double depth;
-    double shallow_t;
-    double shallow;
-    double level_t;
-    double level;
-    double bend_t;
-    double bend;
-    double v1;
-    double v2;
-    double v3;
-    double estimate_t;
-    double estimate;
-    double v4;
-    double v4_t;
-    double high_t;
-    double high;
-    double v5;
-    double v5_t;
-    double low_t;
-    double low;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow_t = strip_zones__SHALLOW * deepest_t;
-    shallow = strip_zones__SHALLOW * deepest;
-    if (shallow > strip_zones__OWN_SHALLOW * depth)
-    {
-        shallow_t = strip_zones__OWN_SHALLOW * depth_t;
-        shallow = strip_zones__OWN_SHALLOW * depth;
-    }
-    level_t = depth_t - shallow_t;
-    level = depth - shallow;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    if (level > 0.0)
-    {
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
-        bend = (*cspan_at(&work, region + layout__REGION_BEND));
-        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-        {
-            bend_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        }
-        v1 = 2.0 * level;
-        v2 = v1 / bend;
-        v3 = sqrt(v2);
-        estimate_t = tangent_rates__root_rate(v3, (2.0 * level_t - v2 * bend_t) / bend);
-        estimate = v3;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        tangent_zone_width__width_rule_t(&v4, &v4_t, work, work_t, tables, region, state, 1.0, 0.0, level, level_t, estimate, estimate_t);
-        high_t = v4_t;
-        high = v4;
-        tangent_zone_width__width_rule_t(&v5, &v5_t, work, work_t, tables, region, state, -1.0, 0.0, level, level_t, high, high_t);
-        low_t = v5_t;
-        low = v5;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_strips.py; change that one.
- *
- * Tangents of strips.py.
- */
-
-/* Tangent of ``lay_strips``. */
-static inline int64_t tangent_strips__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
-{
-    tangent_strip_layout__divide_cells_t(work, work_t, count, wanted);
-    tangent_strip_surfaces__trace_strips_t(work, work_t, tables, state, count);
-    tangent_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    tangent_strip_surfaces__incline_strips_t(work, work_t, tables);
-    return INT64_C(0);
-}
-
-/* Tangent of ``first_layout``. */
-static inline int64_t tangent_strips__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
-{
-    double penetration_t;
-    double penetration;
-    bool found;
-    int64_t sweep;
-    tangent_strip_layout__zone_cells_t(work, work_t, count);
-    tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    tangent_strip_surfaces__first_lengths_t(work, work_t, tables, count);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
-    {
-        tangent_strips__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, by_penetration);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = penetration_t;
-            (*result_2) = found;
-            return 0;
-        }
-        tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, contact_plane__is_yawed(work));
-        tangent_strip_lengths__adopt_lengths_t(work, work_t);
-    }
-    tangent_strip_layout__strip_cells_t(work, work_t);
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
-    (*result_2) = found;
-    return 0;
-}
-
-/* Tangent of ``second_layout``. */
-static inline int64_t tangent_strips__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
-{
-    double penetration_t;
-    double penetration;
-    bool found;
-    int64_t sweep_end;
-    int64_t sweep;
-    bool last;
-    bool given;
-    tangent_strips__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    tangent_strip_surfaces__lengths_before_t(work, work_t, tables);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
-    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
-    {
-        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
-        given = 1;
-        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
-        {
-            given = by_penetration;
-        }
-        tangent_strips__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, given);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = penetration_t;
-            (*result_2) = found;
-            return 0;
-        }
-        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-        {
-            tangent_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, contact_plane__is_yawed(work));
-        }
-        if (!last)
-        {
-            tangent_strip_lengths__adopt_lengths_t(work, work_t);
-        }
-    }
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
-    (*result_2) = found;
-    return 0;
-}
-
-/* Tangent of ``solve_strips``. */
-static inline int64_t tangent_strips__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration)
-{
-    tangent_strip_surfaces__set_gaps_t(work, work_t);
-    tangent_strip_influence__begin_influences_t(work, work_t);
-    tangent_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, state, force, force_t, by_penetration, contact_plane__is_yawed(work));
-    return 0;
-}
-
-
-/* ---- From tangent_widths.py; change that one.
- *
- * Tangents of widths.py.
- */
-
-/* Tangent of ``measure_widths``. */
-static inline int64_t tangent_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
-{
-    double bend_t;
-    double bend;
-    double v1;
-    double v2;
-    double v3;
-    double low_t;
-    double low;
-    double high_t;
-    double high;
-    double v4;
-    double v5;
-    double grown_t;
-    double grown;
-    double v6;
-    double v6_t;
-    double high_reached_t;
-    double high_reached;
-    double slant_t;
-    double slant;
-    double start_t;
-    double start;
-    bool yawed;
-    double v7;
-    double v7_t;
-    double v8;
-    double v8_t;
-    double v9;
-    double v9_t;
-    double v10;
-    double v11;
-    double v13;
-    double v12;
-    double v12_t;
-    double v15;
-    double v14;
-    double v14_t;
-    double v16;
-    bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
-    bend = (*cspan_at(&work, region + layout__REGION_BEND));
-    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend_t = widths__LEAST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend_t = widths__MOST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    v1 = 2.0 * local_penetration;
-    v2 = v1 / bend;
-    v3 = sqrt(v2);
-    low_t = tangent_rates__root_rate(v3, (2.0 * local_penetration_t - v2 * bend_t) / bend);
-    low = v3;
-    high_t = low_t;
-    high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
-    {
-        v4 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
-        v5 = sqrt(v4);
-        grown_t = tangent_rates__root_rate(v5, (local_penetration_t - v4 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
-        grown = v5;
-        low_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown_t;
-        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
-        high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
-        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
-    }
-    tangent_zone_width__width_rule_t(&v6, &v6_t, work, work_t, tables, region, state, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
-    high_t = v6_t;
-    high = v6;
-    high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
-    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
-    slant_t = 0.0;
-    slant = 0.0;
-    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    yawed = contact_plane__is_yawed(work);
-    if (yawed)
-    {
-        tangent_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = v7_t;
-        slant = v7;
-    }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
-    {
-        low_t = high_t;
-        low = high;
-    }
-    tangent_zone_width__width_rule_t(&v8, &v8_t, work, work_t, tables, region, state, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
-    low_t = v8_t;
-    low = v8;
-    if (yawed)
-    {
-        tangent_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = slant_t - v9_t;
-        slant = slant - v9;
-        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
-        {
-            v10 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-            v11 = slant / v10;
-            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v10;
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = v11;
-        }
-    }
-    v13 = low + high;
-    tangent_widths__side_curvature_t(&v12, &v12_t, high_reached, high_reached_t, high, high_t, 0.5 * v13, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)) = v12_t;
-    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v12;
-    v15 = low + high;
-    tangent_widths__side_curvature_t(&v14, &v14_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*cspan_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v15, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) = v14_t;
-    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v14;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration_t;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
-    v16 = high - low;
-    (*cspan_at(&work_t, region + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
-    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v16;
-    return INT64_C(0);
-}
-
-/* Tangent of ``side_curvature``. */
-static inline int64_t tangent_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t)
-{
-    double v1;
-    double ratio_t;
-    double ratio;
-    double v2;
-    double v3;
-    double v4;
-    (*curvature_t) = 0.0;
-    (*curvature) = 0.0;
-    if (own > 0.0)
-    {
-        v1 = mean / own;
-        ratio_t = (mean_t - v1 * own_t) / own;
-        ratio = v1;
-        if (ratio > widths__NARROWER)
-        {
-            ratio_t = 0.0;
-            ratio = widths__NARROWER;
-        }
-        v2 = own * own;
-        v3 = reached / v2;
-        v4 = v3 * ratio;
-        (*curvature_t) = ((reached_t - v3 * (own_t * own + own * own_t)) / v2 * ratio + v3 * ratio_t) * ratio + v4 * ratio_t;
-        (*curvature) = v4 * ratio;
-    }
-    return 0;
 }

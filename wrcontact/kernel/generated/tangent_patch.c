@@ -304,13 +304,13 @@ static inline int64_t tangent_filling__total_patches_t(array_double_1d work, arr
 }
 
 
-/* ---- From tangent_interpolation.py; change that one.
+/* ---- From tangent_outline.py; change that one.
  *
- * Tangents of interpolation.py.
+ * Tangents of outline.py.
  */
 
 /* Tangent of ``quadratic_at``. */
-static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
+static inline int64_t tangent_outline__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
 {
     int64_t index;
     int64_t region;
@@ -327,14 +327,14 @@ static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length,
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
         if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
-            tangent_interpolation__between_strips_t(half_length, half_length_t, pressure, pressure_t, work, work_t, region, own, own_t);
+            tangent_outline__between_strips_t(half_length, half_length_t, pressure, pressure_t, work, work_t, region, own, own_t);
         }
     }
     return 0;
 }
 
 /* Tangent of ``between_strips``. */
-static inline int64_t tangent_interpolation__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t)
+static inline int64_t tangent_outline__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t)
 {
     double v1;
     double v2;
@@ -404,7 +404,7 @@ static inline int64_t tangent_interpolation__between_strips_t(double* half_lengt
 }
 
 /* Tangent of ``straight_at``. */
-static inline int64_t tangent_interpolation__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t)
+static inline int64_t tangent_outline__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t)
 {
     double low_t;
     double low;
@@ -480,12 +480,6 @@ static inline int64_t tangent_interpolation__straight_at_t(double* half_length, 
     (*pressure) = v9;
     return 0;
 }
-
-
-/* ---- From tangent_outline.py; change that one.
- *
- * Tangents of outline.py.
- */
 
 /* Tangent of ``write_outline``. */
 static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count)
@@ -586,7 +580,7 @@ static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, a
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            tangent_interpolation__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
+            tangent_outline__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
         if (half_length > largest)
         {
@@ -659,7 +653,7 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
             {
                 strip = strip + INT64_C(1);
             }
-            tangent_interpolation__straight_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, patch, strip, station, station_t);
+            tangent_outline__straight_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, patch, strip, station, station_t);
         }
         (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;

@@ -2,58 +2,134 @@
 #include "tangents.h"
 
 
-/* ---- From tangent_cubic_table.py; change that one.
+/* ---- From tangent_curvature.py; change that one.
  *
- * Tangents of cubic_table.py.
+ * Tangents of curvature.py.
  */
 
-/* Tangent of ``read_cubic``. */
-static inline int64_t tangent_cubic_table__read_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at, double at_t)
+/* Tangent of ``profile_curvature``. */
+static inline int64_t tangent_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t)
 {
     double v1;
     int64_t cell;
-    double x;
-    double x_t;
-    int64_t cubic;
+    double share;
+    double share_t;
+    double before;
     double v2;
-    double v3;
-    v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
-    tangent_table_cell__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
-    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    v2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    v3 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * v2;
-    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * v3;
-    (*result_1) = x_t * v3 + x * (x_t * v2 + x * (x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
+    v1 = y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START));
+    tangent_tables__table_cell_t(&cell, &share, &share_t, v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0, 0.0);
+    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
+    v2 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
+    (*result_0) = before + share * v2;
+    (*result_1) = share_t * v2;
     return 0;
 }
 
-/* Tangent of ``read_cubic_jet``. */
-static inline int64_t tangent_cubic_table__read_cubic_jet_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, int64_t table, double at, double at_t)
+/* Tangent of ``relative_curvature``. */
+static inline int64_t tangent_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t)
 {
     double v1;
-    int64_t cell;
-    double x;
-    double x_t;
-    int64_t cubic;
-    double q2_t;
-    double q2;
-    double q1_t;
-    double q1;
+    double v1_t;
+    double wheel_t;
+    double wheel;
+    double v2;
+    double v2_t;
+    double rail_t;
+    double rail;
+    double v3;
+    tangent_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y, y_t);
+    wheel_t = v1_t;
+    wheel = v1;
+    tangent_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa, abscissa_t);
+    rail_t = v2_t;
+    rail = v2;
+    v3 = wheel + rail;
+    (*result_0) = 0.5 * v3;
+    (*result_1) = 0.5 * (wheel_t + rail_t);
+    return 0;
+}
+
+/* Tangent of ``longitudinal_curvature``. */
+static inline int64_t tangent_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
+{
+    double r_t;
+    double r;
+    double v1;
     double v2;
     double v3;
-    v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
-    tangent_table_cell__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
-    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    q2_t = x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    q1_t = x_t * q2 + x * q2_t;
-    q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
-    v2 = q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    v3 = q1 + x * v2;
-    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
-    (*result_1) = x_t * q1 + x * q1_t;
-    (*result_2) = v3 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    (*result_3) = (q1_t + (x_t * v2 + x * (q2_t + x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    double v4;
+    double v5;
+    double sin_phi;
+    double sin_phi_t;
+    double cos_phi;
+    double cos_phi_t;
+    double e1_t;
+    double e1;
+    double e2_t;
+    double e2;
+    double e3_t;
+    double e3;
+    double around_t;
+    double around;
+    double v6;
+    double v7;
+    double steep_t;
+    double steep;
+    double v8;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    double v14;
+    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    v1 = 1.0 / r;
+    (*curvature_t) = (-v1) * r_t / r;
+    (*curvature) = v1;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    {
+        return 0;
+    }
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    {
+        v2 = 1.0 + slope * slope;
+        v3 = sqrt(v2);
+        v4 = r * v3;
+        v5 = 1.0 / v4;
+        (*curvature_t) = (-v5) * (r_t * v3 + r * tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v4;
+        (*curvature) = v5;
+    }
+    else
+    {
+        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
+        e1_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        e2_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+        e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+        e3_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+        e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+        around_t = e1_t * cos_phi + e1 * cos_phi_t - (e3_t * sin_phi + e3 * sin_phi_t);
+        around = e1 * cos_phi - e3 * sin_phi;
+        v6 = 1.0 + slope * slope;
+        v7 = sqrt(v6);
+        steep_t = tangent_rates__root_rate(v7, slope_t * slope + slope * slope_t);
+        steep = v7;
+        v8 = around * around;
+        v9 = v8 / r;
+        v10 = bend * e2;
+        v11 = v9 - v10 * e2;
+        v12 = v11 / steep;
+        (*curvature_t) = ((around_t * around + around * around_t - v9 * r_t) / r - ((bend_t * e2 + bend * e2_t) * e2 + v10 * e2_t) - v12 * steep_t) / steep;
+        (*curvature) = v12;
+        if ((*curvature) < curvature__CURVATURE_FLOOR / (r * steep))
+        {
+            v13 = r * steep;
+            v14 = curvature__CURVATURE_FLOOR / v13;
+            (*curvature_t) = (-v14) * (r_t * steep + r * steep_t) / v13;
+            (*curvature) = v14;
+        }
+    }
     return 0;
 }
 
@@ -88,9 +164,9 @@ static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* resu
     double rail_slope_t;
     double rail_bend;
     double rail_bend_t;
-    tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-    tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
+    tangent_tables__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
     (*mismatch_t) = rail_slope_t - outline_slope_t;
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
@@ -141,9 +217,9 @@ static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* resu
     double lateral;
     double vertical_t;
     double vertical;
-    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t);
-    tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
+    tangent_tables__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
     tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
@@ -162,54 +238,6 @@ static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* resu
     vertical = arm * cos_roll - height * sin_roll;
     (*result_0) = rail_slope * lateral - vertical;
     (*result_1) = rail_slope_t * lateral + rail_slope * lateral_t - vertical_t;
-    return 0;
-}
-
-
-/* ---- From tangent_lateral_curvature.py; change that one.
- *
- * Tangents of lateral_curvature.py.
- */
-
-/* Tangent of ``profile_curvature``. */
-static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t)
-{
-    double v1;
-    int64_t cell;
-    double share;
-    double share_t;
-    double before;
-    double v2;
-    v1 = y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START));
-    tangent_table_cell__table_cell_t(&cell, &share, &share_t, v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0, 0.0);
-    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
-    v2 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
-    (*result_0) = before + share * v2;
-    (*result_1) = share_t * v2;
-    return 0;
-}
-
-/* Tangent of ``relative_curvature``. */
-static inline int64_t tangent_lateral_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t)
-{
-    double v1;
-    double v1_t;
-    double wheel_t;
-    double wheel;
-    double v2;
-    double v2_t;
-    double rail_t;
-    double rail;
-    double v3;
-    tangent_lateral_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y, y_t);
-    wheel_t = v1_t;
-    wheel = v1;
-    tangent_lateral_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa, abscissa_t);
-    rail_t = v2_t;
-    rail = v2;
-    v3 = wheel + rail;
-    (*result_0) = 0.5 * v3;
-    (*result_1) = 0.5 * (wheel_t + rail_t);
     return 0;
 }
 
@@ -647,7 +675,7 @@ static inline int64_t tangent_locus__outline_x_t(double* result_0, double* resul
     double lateral_t;
     double lateral;
     double v3;
-    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
@@ -658,194 +686,6 @@ static inline int64_t tangent_locus__outline_x_t(double* result_0, double* resul
     v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
     (*result_0) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     (*result_1) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
-    return 0;
-}
-
-
-/* ---- From tangent_longitudinal_curvature.py; change that one.
- *
- * Tangents of longitudinal_curvature.py.
- */
-
-/* Tangent of ``longitudinal_curvature``. */
-static inline int64_t tangent_longitudinal_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
-{
-    double r_t;
-    double r;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double sin_phi;
-    double sin_phi_t;
-    double cos_phi;
-    double cos_phi_t;
-    double e1_t;
-    double e1;
-    double e2_t;
-    double e2;
-    double e3_t;
-    double e3;
-    double around_t;
-    double around;
-    double v6;
-    double v7;
-    double steep_t;
-    double steep;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    v1 = 1.0 / r;
-    (*curvature_t) = (-v1) * r_t / r;
-    (*curvature) = v1;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
-    {
-        return 0;
-    }
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
-    {
-        v2 = 1.0 + slope * slope;
-        v3 = sqrt(v2);
-        v4 = r * v3;
-        v5 = 1.0 / v4;
-        (*curvature_t) = (-v5) * (r_t * v3 + r * tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v4;
-        (*curvature) = v5;
-    }
-    else
-    {
-        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-        e1_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
-        e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        e2_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
-        e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        e3_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
-        e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-        around_t = e1_t * cos_phi + e1 * cos_phi_t - (e3_t * sin_phi + e3 * sin_phi_t);
-        around = e1 * cos_phi - e3 * sin_phi;
-        v6 = 1.0 + slope * slope;
-        v7 = sqrt(v6);
-        steep_t = tangent_rates__root_rate(v7, slope_t * slope + slope * slope_t);
-        steep = v7;
-        v8 = around * around;
-        v9 = v8 / r;
-        v10 = bend * e2;
-        v11 = v9 - v10 * e2;
-        v12 = v11 / steep;
-        (*curvature_t) = ((around_t * around + around * around_t - v9 * r_t) / r - ((bend_t * e2 + bend * e2_t) * e2 + v10 * e2_t) - v12 * steep_t) / steep;
-        (*curvature) = v12;
-        if ((*curvature) < longitudinal_curvature__CURVATURE_FLOOR / (r * steep))
-        {
-            v13 = r * steep;
-            v14 = longitudinal_curvature__CURVATURE_FLOOR / v13;
-            (*curvature_t) = (-v14) * (r_t * steep + r * steep_t) / v13;
-            (*curvature) = v14;
-        }
-    }
-    return 0;
-}
-
-
-/* ---- From tangent_profile_table.py; change that one.
- *
- * Tangents of profile_table.py.
- */
-
-/* Tangent of ``height_slope``. */
-static inline int64_t tangent_profile_table__height_slope_t(double* result_0, double* result_1, double* slope, double* slope_t, array_double_1d tables, int64_t profile, double y, double y_t)
-{
-    int64_t piece;
-    double u_t;
-    double u;
-    double p4_t;
-    double p4;
-    double p3_t;
-    double p3;
-    double p2_t;
-    double p2;
-    double p1_t;
-    double p1;
-    double v1;
-    double v2;
-    double v3;
-    piece = profile_table__find_piece(tables, profile, y);
-    u_t = y_t;
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3_t = u_t * p4 + u * p4_t;
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2_t = u_t * p3 + u * p3_t;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1_t = u_t * p2 + u * p2_t;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    v1 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    v2 = p3 + u * v1;
-    v3 = p2 + u * v2;
-    (*slope_t) = p1_t + (u_t * v3 + u * (p2_t + (u_t * v2 + u * (p3_t + (u_t * v1 + u * (p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))))));
-    (*slope) = p1 + u * v3;
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = u_t * p1 + u * p1_t;
-    return 0;
-}
-
-/* Tangent of ``height_slope_bend``. */
-static inline int64_t tangent_profile_table__height_slope_bend_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t profile, double y, double y_t)
-{
-    int64_t piece;
-    double u_t;
-    double u;
-    double p4_t;
-    double p4;
-    double p3_t;
-    double p3;
-    double p2_t;
-    double p2;
-    double p1_t;
-    double p1;
-    double q4_t;
-    double q4;
-    double q3_t;
-    double q3;
-    double q2_t;
-    double q2;
-    double v1;
-    double v2;
-    double half_bend_t;
-    double half_bend;
-    piece = profile_table__find_piece(tables, profile, y);
-    u_t = y_t;
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3_t = u_t * p4 + u * p4_t;
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2_t = u_t * p3 + u * p3_t;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1_t = u_t * p2 + u * p2_t;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    q4_t = p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    q3_t = p3_t + (u_t * q4 + u * q4_t);
-    q3 = p3 + u * q4;
-    q2_t = p2_t + (u_t * q3 + u * q3_t);
-    q2 = p2 + u * q3;
-    v1 = q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    v2 = q3 + u * v1;
-    half_bend_t = q2_t + (u_t * v2 + u * (q3_t + (u_t * v1 + u * (q4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))));
-    half_bend = q2 + u * v2;
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = u_t * p1 + u * p1_t;
-    (*result_2) = p1 + u * q2;
-    (*result_3) = p1_t + (u_t * q2 + u * q2_t);
-    (*result_4) = 2.0 * half_bend;
-    (*result_5) = 2.0 * half_bend_t;
     return 0;
 }
 
@@ -1015,13 +855,13 @@ static inline int64_t tangent_rails__on_track_t(double* result_0, double* result
 }
 
 
-/* ---- From tangent_table_cell.py; change that one.
+/* ---- From tangent_tables.py; change that one.
  *
- * Tangents of table_cell.py.
+ * Tangents of tables.py.
  */
 
 /* Tangent of ``table_cell``. */
-static inline int64_t tangent_table_cell__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t)
+static inline int64_t tangent_tables__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t)
 {
     if (!(u > 0.0))
     {
@@ -1040,5 +880,147 @@ static inline int64_t tangent_table_cell__table_cell_t(int64_t* cell, double* re
     }
     (*result_1) = u - (double)((*cell));
     (*result_2) = u_t;
+    return 0;
+}
+
+/* Tangent of ``read_cubic``. */
+static inline int64_t tangent_tables__read_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at, double at_t)
+{
+    double v1;
+    int64_t cell;
+    double x;
+    double x_t;
+    int64_t cubic;
+    double v2;
+    double v3;
+    v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
+    tangent_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
+    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
+    v2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    v3 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * v2;
+    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * v3;
+    (*result_1) = x_t * v3 + x * (x_t * v2 + x * (x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
+    return 0;
+}
+
+/* Tangent of ``read_cubic_jet``. */
+static inline int64_t tangent_tables__read_cubic_jet_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, int64_t table, double at, double at_t)
+{
+    double v1;
+    int64_t cell;
+    double x;
+    double x_t;
+    int64_t cubic;
+    double q2_t;
+    double q2;
+    double q1_t;
+    double q1;
+    double v2;
+    double v3;
+    v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
+    tangent_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
+    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
+    q2_t = x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    q1_t = x_t * q2 + x * q2_t;
+    q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
+    v2 = q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    v3 = q1 + x * v2;
+    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
+    (*result_1) = x_t * q1 + x * q1_t;
+    (*result_2) = v3 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    (*result_3) = (q1_t + (x_t * v2 + x * (q2_t + x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    return 0;
+}
+
+/* Tangent of ``height_slope``. */
+static inline int64_t tangent_tables__height_slope_t(double* result_0, double* result_1, double* slope, double* slope_t, array_double_1d tables, int64_t profile, double y, double y_t)
+{
+    int64_t piece;
+    double u_t;
+    double u;
+    double p4_t;
+    double p4;
+    double p3_t;
+    double p3;
+    double p2_t;
+    double p2;
+    double p1_t;
+    double p1;
+    double v1;
+    double v2;
+    double v3;
+    piece = tables__find_piece(tables, profile, y);
+    u_t = y_t;
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3_t = u_t * p4 + u * p4_t;
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2_t = u_t * p3 + u * p3_t;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1_t = u_t * p2 + u * p2_t;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    v1 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    v2 = p3 + u * v1;
+    v3 = p2 + u * v2;
+    (*slope_t) = p1_t + (u_t * v3 + u * (p2_t + (u_t * v2 + u * (p3_t + (u_t * v1 + u * (p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))))));
+    (*slope) = p1 + u * v3;
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
+    (*result_1) = u_t * p1 + u * p1_t;
+    return 0;
+}
+
+/* Tangent of ``height_slope_bend``. */
+static inline int64_t tangent_tables__height_slope_bend_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t profile, double y, double y_t)
+{
+    int64_t piece;
+    double u_t;
+    double u;
+    double p4_t;
+    double p4;
+    double p3_t;
+    double p3;
+    double p2_t;
+    double p2;
+    double p1_t;
+    double p1;
+    double q4_t;
+    double q4;
+    double q3_t;
+    double q3;
+    double q2_t;
+    double q2;
+    double v1;
+    double v2;
+    double half_bend_t;
+    double half_bend;
+    piece = tables__find_piece(tables, profile, y);
+    u_t = y_t;
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3_t = u_t * p4 + u * p4_t;
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2_t = u_t * p3 + u * p3_t;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1_t = u_t * p2 + u * p2_t;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    q4_t = p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    q3_t = p3_t + (u_t * q4 + u * q4_t);
+    q3 = p3 + u * q4;
+    q2_t = p2_t + (u_t * q3 + u * q3_t);
+    q2 = p2 + u * q3;
+    v1 = q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    v2 = q3 + u * v1;
+    half_bend_t = q2_t + (u_t * v2 + u * (q3_t + (u_t * v1 + u * (q4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))));
+    half_bend = q2 + u * v2;
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
+    (*result_1) = u_t * p1 + u * p1_t;
+    (*result_2) = p1 + u * q2;
+    (*result_3) = p1_t + (u_t * q2 + u * q2_t);
+    (*result_4) = 2.0 * half_bend;
+    (*result_5) = 2.0 * half_bend_t;
     return 0;
 }

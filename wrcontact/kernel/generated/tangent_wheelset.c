@@ -54,7 +54,7 @@ static inline int64_t tangent_compliant__damp_patches_t(array_double_1d work, ar
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        tangent_approach__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        tangent_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         factor_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
         factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
         if (factor < 0.0)
@@ -93,127 +93,6 @@ static inline int64_t tangent_compliant__damp_patch_t(array_double_1d work, arra
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor;
     }
     return INT64_C(0);
-}
-
-
-/* ---- From tangent_contact_point.py; change that one.
- *
- * Tangents of contact_point.py.
- */
-
-/* Tangent of ``describe_contact``. */
-static inline bool tangent_contact_point__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
-{
-    int64_t place;
-    int64_t point;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double y_track;
-    double y_track_t;
-    double rail_slope;
-    double rail_slope_t;
-    double mismatch;
-    double mismatch_t;
-    double sin_phi;
-    double sin_phi_t;
-    double cos_phi;
-    double cos_phi_t;
-    double r_t;
-    double r;
-    double v1;
-    double v2;
-    double lateral_t;
-    double lateral;
-    double v3;
-    double x_track_t;
-    double x_track;
-    double pitch_sin;
-    double pitch_sin_t;
-    double pitch_cos;
-    double pitch_cos_t;
-    double ahead_t;
-    double ahead;
-    double z_track;
-    double z_track_t;
-    double v4;
-    double v4_t;
-    bool touches;
-    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
-    tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, place, y, y_t, aside, aside_t, shift, shift_t);
-    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    r_t = z_t;
-    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
-    v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    v2 = r * cos_phi;
-    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
-    lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
-    x_track_t = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
-    x_track = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-    {
-        tangent_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
-        ahead_t = sin_phi_t * pitch_cos + sin_phi * pitch_cos_t - (cos_phi_t * pitch_sin + cos_phi * pitch_sin_t);
-        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
-        cos_phi_t = sin_phi_t * pitch_sin + sin_phi * pitch_sin_t + (cos_phi_t * pitch_cos + cos_phi * pitch_cos_t);
-        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
-        sin_phi_t = ahead_t;
-        sin_phi = ahead;
-    }
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL)) = r_t * sin_phi + r * sin_phi_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = y_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    tangent_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)) = x_track_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)) = y_track_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) = z_track_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-    {
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-(rail_slope_t / (1.0 + rail_slope * rail_slope))) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
-    }
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    tangent_regions__measure_contact_t(work, work_t, tables, state);
-    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
-    {
-        tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4_t;
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4;
-    }
-    touches = 1;
-    if (fabs(mismatch) >= contact_point__PARALLEL)
-    {
-        if ((fabs(mismatch) > contact_point__CORNER) || contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
-        {
-            touches = 0;
-        }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
-        {
-            touches = 0;
-        }
-    }
-    return touches;
 }
 
 
@@ -444,7 +323,7 @@ static inline int64_t tangent_forces__rub_patch_t(array_double_1d work, array_do
     (*cspan_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)) = -torque_t;
     (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -torque;
     v9 = -(*cspan_at(&work, patch + layout__PATCH_SPEED));
-    tangent_dissipation__creep_gain_t(&v10, &v10_t, work, work_t, patch);
+    tangent_friction__creep_gain_t(&v10, &v10_t, work, work_t, patch);
     (*cspan_at(&work_t, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work_t, patch + layout__PATCH_SPEED))) * v10 + v9 * v10_t;
     (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = v9 * v10;
     v11 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
@@ -507,205 +386,6 @@ static inline int64_t tangent_forces__add_vector_t(array_double_1d work, array_d
 }
 
 
-/* ---- From tangent_friction.py; change that one.
- *
- * Tangents of friction.py.
- */
-
-/* Tangent of ``patch_friction``. */
-static inline int64_t tangent_friction__patch_friction_t(double* found, double* found_t, array_double_1d tables, double friction, double friction_t, double angle, double angle_t, double sliding, double sliding_t)
-{
-    double v1;
-    double v2;
-    double v2_t;
-    double v3;
-    double fall;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    (*found_t) = friction_t;
-    (*found) = friction;
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
-    {
-        v1 = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) - 1.0;
-        tangent_friction__flange_share_t(&v2, &v2_t, tables, angle, angle_t);
-        v3 = 1.0 + v1 * v2;
-        (*found_t) = (*found_t) * v3 + (*found) * (v1 * v2_t);
-        (*found) = (*found) * v3;
-    }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
-    {
-        fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
-        v4 = 1.0 - fall;
-        v5 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
-        v6 = v5 * sliding;
-        v7 = exp(v6);
-        v8 = v4 * v7 + fall;
-        (*found_t) = (*found_t) * v8 + (*found) * (v4 * (v7 * (v5 * sliding_t)));
-        (*found) = (*found) * v8;
-    }
-    return 0;
-}
-
-/* Tangent of ``flange_share``. */
-static inline int64_t tangent_friction__flange_share_t(double* result_0, double* result_1, array_double_1d tables, double angle, double angle_t)
-{
-    double v1;
-    double v2;
-    double share_t;
-    double share;
-    double v3;
-    double v4;
-    v1 = angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE));
-    v2 = 0.5 * v1;
-    share_t = 0.5 * angle_t / friction__FLANGE_RANGE;
-    share = 0.5 + v2 / friction__FLANGE_RANGE;
-    if (share < 0.0)
-    {
-        share_t = 0.0;
-        share = 0.0;
-    }
-    if (share > 1.0)
-    {
-        share_t = 0.0;
-        share = 1.0;
-    }
-    v3 = share * share;
-    v4 = 3.0 - 2.0 * share;
-    (*result_0) = v3 * v4;
-    (*result_1) = (share_t * share + share * share_t) * v4 + v3 * (-(2.0 * share_t));
-    return 0;
-}
-
-/* Tangent of ``slope_factor``. */
-static inline int64_t tangent_friction__slope_factor_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
-{
-    double initial;
-    double limit_t;
-    double limit;
-    double across_t;
-    double across;
-    double v1;
-    double v2;
-    double creepage_t;
-    double creepage;
-    double v3;
-    double c11;
-    double c11_t;
-    double c22;
-    double c22_t;
-    double c23;
-    double c23_t;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double epsilon_t;
-    double epsilon;
-    double v12;
-    double v13;
-    double v14;
-    (*factor_t) = 0.0;
-    (*factor) = 1.0;
-    if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION)) != 1.0) || ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0))
-    {
-        initial = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION));
-        limit_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        (*factor_t) = 0.0;
-        (*factor) = initial;
-        if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0) && (limit > 0.0))
-        {
-            across_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-            across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across;
-            v2 = sqrt(v1);
-            creepage_t = tangent_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + (across_t * across + across * across_t));
-            creepage = v2;
-            v3 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            tangent_shapes__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v3, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-            v4 = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) * friction__PI;
-            v5 = v4 * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            v6 = v5 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            v7 = v6 * initial;
-            v8 = v7 * c11;
-            v9 = v8 * creepage;
-            v10 = 4.0 * limit;
-            v11 = v9 / v10;
-            epsilon_t = (((v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v5 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) * initial * c11 + v7 * c11_t) * creepage + v8 * creepage_t - v11 * (4.0 * limit_t)) / v10;
-            epsilon = v11;
-            (*factor_t) = 0.0;
-            (*factor) = initial * (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR));
-            v12 = initial - (*factor);
-            v13 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon;
-            v14 = v12 / v13;
-            (*factor_t) = (*factor_t) + ((-(*factor_t)) - v14 * ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon_t)) / v13;
-            (*factor) = (*factor) + v14;
-        }
-    }
-    return 0;
-}
-
-/* Tangent of ``multiply_creepages``. */
-static inline int64_t tangent_friction__multiply_creepages_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t)
-{
-    int64_t index;
-    int64_t strip;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * factor_t;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * factor_t;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * factor + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * factor_t;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * factor;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor_t;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor;
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_friction_load.py; change that one.
- *
- * Tangents of friction_load.py.
- */
-
-/* Tangent of ``carried_share``. */
-static inline int64_t tangent_friction_load__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index)
-{
-    double v1;
-    double v2;
-    double wanted_t;
-    double wanted;
-    int64_t forces;
-    double v3;
-    double v4;
-    (*share_t) = 0.0;
-    (*share) = 1.0;
-    v1 = (double)(INT64_C(2) * index - INT64_C(1));
-    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    wanted_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
-        v4 = v3 / wanted;
-        (*share_t) = ((-(*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) - v4 * wanted_t) / wanted;
-        (*share) = v4;
-    }
-    return 0;
-}
-
-
 /* ---- From tangent_leaning.py; change that one.
  *
  * Tangents of leaning.py.
@@ -718,82 +398,6 @@ static inline int64_t tangent_leaning__set_reference_t(array_double_1d work, arr
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
     (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height_t;
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    return INT64_C(0);
-}
-
-
-/* ---- From tangent_moving.py; change that one.
- *
- * Tangents of moving.py.
- */
-
-/* Tangent of ``open_given_motion``. */
-static inline int64_t tangent_moving__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
-{
-    int64_t right;
-    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    tangent_wheelset_motion__open_motion_t(work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0, 0.0);
-    tangent_wheelset_motion__open_motion_t(work, work_t, right_tables, right, 1.0, 0.0);
-    tangent_wheelset_motion__open_left_rail_t(work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    tangent_wheelset_motion__open_right_rail_t(work, work_t, right_tables, right + layout__MOTION_RAIL);
-    tangent_wheelset_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
-    return INT64_C(0);
-}
-
-/* Tangent of ``move_patches``. */
-static inline int64_t tangent_moving__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
-{
-    int64_t index;
-    int64_t side;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    if (!requested__is_rolling(work))
-    {
-        return INT64_C(0);
-    }
-    tangent_moving__open_given_motion_t(left_tables, right_tables, work, work_t);
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
-    {
-        tangent_moving__constrain_side_t(left_tables, work, work_t, state, INT64_C(0));
-        tangent_moving__constrain_side_t(right_tables, work, work_t, state, INT64_C(1));
-        tangent_contact_rates__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
-    }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-        {
-            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            tangent_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
-            {
-                tangent_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``constrain_side``. */
-static inline int64_t tangent_moving__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
-{
-    int64_t side;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
-    {
-        tangent_forces__sum_side_t(work, work_t, side, 0);
-        tangent_contact_rates__constrain_loaded_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
-    }
-    else
-    {
-        if (!requested__is_requested(tables, index))
-        {
-            tangent_side__touch_side_t(tables, work, work_t, state, index);
-        }
-        tangent_contact_rates__constrain_touching_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
-    }
     return INT64_C(0);
 }
 
@@ -1115,6 +719,33 @@ static inline int64_t tangent_requested__side_force_t(double* result_0, double* 
     return 0;
 }
 
+/* Tangent of ``carried_share``. */
+static inline int64_t tangent_requested__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index)
+{
+    double v1;
+    double v2;
+    double wanted_t;
+    double wanted;
+    int64_t forces;
+    double v3;
+    double v4;
+    (*share_t) = 0.0;
+    (*share) = 1.0;
+    v1 = (double)(INT64_C(2) * index - INT64_C(1));
+    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
+    wanted_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        v4 = v3 / wanted;
+        (*share_t) = ((-(*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) - v4 * wanted_t) / wanted;
+        (*share) = v4;
+    }
+    return 0;
+}
+
 
 /* ---- From tangent_rigid.py; change that one.
  *
@@ -1164,6 +795,270 @@ static inline int64_t tangent_rigid__solve_rigid_t(array_double_1d left_tables, 
  * Tangents of rubbing.py.
  */
 
+/* Tangent of ``open_given_motion``. */
+static inline int64_t tangent_rubbing__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+{
+    int64_t right;
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    tangent_motion__open_motion_t(work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0, 0.0);
+    tangent_motion__open_motion_t(work, work_t, right_tables, right, 1.0, 0.0);
+    tangent_motion__open_left_rail_t(work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
+    tangent_motion__open_right_rail_t(work, work_t, right_tables, right + layout__MOTION_RAIL);
+    tangent_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
+    return INT64_C(0);
+}
+
+/* Tangent of ``move_patches``. */
+static inline int64_t tangent_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
+    int64_t index;
+    int64_t side;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    if (!requested__is_rolling(work))
+    {
+        return INT64_C(0);
+    }
+    tangent_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
+    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+    {
+        tangent_rubbing__constrain_side_t(left_tables, work, work_t, state, INT64_C(0));
+        tangent_rubbing__constrain_side_t(right_tables, work, work_t, state, INT64_C(1));
+        tangent_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+    }
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            tangent_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+            {
+                tangent_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``constrain_side``. */
+static inline int64_t tangent_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
+{
+    int64_t side;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+    {
+        tangent_forces__sum_side_t(work, work_t, side, 0);
+        tangent_motion__constrain_loaded_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
+    }
+    else
+    {
+        if (!requested__is_requested(tables, index))
+        {
+            tangent_side__touch_side_t(tables, work, work_t, state, index);
+        }
+        tangent_motion__constrain_touching_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``write_wear``. */
+static inline int64_t tangent_rubbing__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t stations)
+{
+    int64_t i;
+    int64_t number_end;
+    int64_t number;
+    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        tangent_rubbing__write_patch_wear_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``write_patch_wear``. */
+static inline int64_t tangent_rubbing__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch)
+{
+    int64_t first;
+    int64_t last;
+    double start_t;
+    double start;
+    double stop_t;
+    double stop;
+    int64_t index;
+    double low_station_t;
+    double low_station;
+    double high_station_t;
+    double high_station;
+    double low_shear_t;
+    double low_shear;
+    double low_slip_t;
+    double low_slip;
+    double v1;
+    double v1_t;
+    double high_shear_t;
+    double high_shear;
+    double v2;
+    double v2_t;
+    double high_slip_t;
+    double high_slip;
+    int64_t j;
+    double station_t;
+    double station;
+    int64_t strip;
+    double v3;
+    double v3_t;
+    double v4;
+    double v4_t;
+    double shear_t;
+    double shear;
+    double slip_t;
+    double slip;
+    double v5;
+    double v6;
+    double v7;
+    double share_t;
+    double share;
+    double v8;
+    double v9;
+    first = patch + layout__PATCH_STRIPS;
+    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
+    start_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work_t, first + layout__ROLLING_STRIP_WIDTH));
+    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
+    stop_t = (*cspan_at(&work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work_t, last + layout__ROLLING_STRIP_WIDTH));
+    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
+    index = INT64_C(0);
+    low_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
+    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    high_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
+    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    low_shear_t = 0.0;
+    low_shear = 0.0;
+    low_slip_t = 0.0;
+    low_slip = 0.0;
+    tangent_rubbing__strip_shear_t(&v1, &v1_t, work, work_t, first);
+    high_shear_t = v1_t;
+    high_shear = v1;
+    tangent_rubbing__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
+    high_slip_t = v2_t;
+    high_slip = v2;
+    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
+    {
+        station_t = (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j));
+        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
+        if ((station > start) && (station < stop))
+        {
+            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
+            {
+                index = index + INT64_C(1);
+                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+                low_station_t = high_station_t;
+                low_station = high_station;
+                low_shear_t = high_shear_t;
+                low_shear = high_shear;
+                low_slip_t = high_slip_t;
+                low_slip = high_slip;
+                high_station_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION));
+                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
+                tangent_rubbing__strip_shear_t(&v3, &v3_t, work, work_t, strip);
+                high_shear_t = v3_t;
+                high_shear = v3;
+                tangent_rubbing__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
+                high_slip_t = v4_t;
+                high_slip = v4;
+            }
+            shear_t = high_shear_t;
+            shear = high_shear;
+            slip_t = high_slip_t;
+            slip = high_slip;
+            if ((index > INT64_C(0)) && (station < high_station))
+            {
+                v5 = high_station - station;
+                v6 = high_station - low_station;
+                v7 = v5 / v6;
+                share_t = (high_station_t - station_t - v7 * (high_station_t - low_station_t)) / v6;
+                share = v7;
+                v8 = low_shear - shear;
+                shear_t = shear_t + (share_t * v8 + share * (low_shear_t - shear_t));
+                shear = shear + share * v8;
+                v9 = low_slip - slip;
+                slip_t = slip_t + (share_t * v9 + share * (low_slip_t - slip_t));
+                slip = slip + share * v9;
+            }
+            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear_t;
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
+            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip_t;
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``strip_shear``. */
+static inline int64_t tangent_rubbing__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip)
+{
+    double v1;
+    double v2;
+    double force_t;
+    double force;
+    double v3;
+    double v4;
+    (*shear_t) = 0.0;
+    (*shear) = 0.0;
+    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
+    {
+        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
+        v2 = sqrt(v1);
+        force_t = tangent_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+        force = v2;
+        v3 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        v4 = force / v3;
+        (*shear_t) = (force_t - v4 * (2.0 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
+        (*shear) = v4;
+    }
+    return 0;
+}
+
+/* Tangent of ``strip_slip``. */
+static inline int64_t tangent_rubbing__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
+{
+    double v1;
+    double v2;
+    double force_t;
+    double force;
+    double power_t;
+    double power;
+    double v3;
+    double v4;
+    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
+    v2 = sqrt(v1);
+    force_t = tangent_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+    force = v2;
+    (*slip_t) = 0.0;
+    (*slip) = 0.0;
+    if (force > 0.0)
+    {
+        power_t = -((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))));
+        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+        if (power > 0.0)
+        {
+            v3 = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power;
+            v4 = v3 / force;
+            (*slip_t) = ((*cspan_at(&work_t, patch + layout__PATCH_SPEED)) * power + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power_t - v4 * force_t) / force;
+            (*slip) = v4;
+        }
+    }
+    return 0;
+}
+
 /* Tangent of ``rub_patches``. */
 static inline int64_t tangent_rubbing__rub_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
@@ -1196,13 +1091,13 @@ static inline int64_t tangent_rubbing__rub_side_t(array_double_1d tables, array_
             tangent_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
             factor_t = v1_t;
             factor = v1;
-            tangent_tangential_contact__solve_tangential_t(work, work_t, tables, patch);
+            tangent_creep_force__solve_tangential_t(work, work_t, tables, patch);
             tangent_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
         }
     }
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        tangent_wear__write_wear_t(work, work_t, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
+        tangent_rubbing__write_wear_t(work, work_t, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
     }
     return INT64_C(0);
 }
@@ -1270,6 +1165,121 @@ static inline int64_t tangent_rubbing__close_rolling_t(array_double_1d work, arr
  * Tangents of side.py.
  */
 
+/* Tangent of ``describe_contact``. */
+static inline bool tangent_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+{
+    int64_t place;
+    int64_t point;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double y_track;
+    double y_track_t;
+    double rail_slope;
+    double rail_slope_t;
+    double mismatch;
+    double mismatch_t;
+    double sin_phi;
+    double sin_phi_t;
+    double cos_phi;
+    double cos_phi_t;
+    double r_t;
+    double r;
+    double v1;
+    double v2;
+    double lateral_t;
+    double lateral;
+    double v3;
+    double x_track_t;
+    double x_track;
+    double pitch_sin;
+    double pitch_sin_t;
+    double pitch_cos;
+    double pitch_cos_t;
+    double ahead_t;
+    double ahead;
+    double z_track;
+    double z_track_t;
+    double v4;
+    double v4_t;
+    bool touches;
+    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+    point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
+    tangent_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, place, y, y_t, aside, aside_t, shift, shift_t);
+    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
+    r_t = z_t;
+    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
+    v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    v2 = r * cos_phi;
+    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
+    lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
+    x_track_t = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
+    x_track = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        tangent_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
+        ahead_t = sin_phi_t * pitch_cos + sin_phi * pitch_cos_t - (cos_phi_t * pitch_sin + cos_phi * pitch_sin_t);
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
+        cos_phi_t = sin_phi_t * pitch_sin + sin_phi * pitch_sin_t + (cos_phi_t * pitch_cos + cos_phi * pitch_cos_t);
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
+        sin_phi_t = ahead_t;
+        sin_phi = ahead;
+    }
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL)) = r_t * sin_phi + r * sin_phi_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = y_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    tangent_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)) = x_track_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)) = y_track_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) = z_track_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-(rail_slope_t / (1.0 + rail_slope * rail_slope))) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+    }
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
+    tangent_frame__measure_contact_t(work, work_t, tables, state);
+    tangent_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    {
+        tangent_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4_t;
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4;
+    }
+    touches = 1;
+    if (fabs(mismatch) >= side__PARALLEL)
+    {
+        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
+        {
+            touches = 0;
+        }
+        if (side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        {
+            touches = 0;
+        }
+    }
+    return touches;
+}
+
 /* Tangent of ``clear_side``. */
 static inline int64_t tangent_side__clear_side_t(array_double_1d work, array_double_1d work_t, int64_t side)
 {
@@ -1310,7 +1320,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
             {
-                tangent_sections__cut_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+                tangent_cut__cut_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
                 tangent_patch_places__place_strips_t(work, work_t, tables, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
@@ -1332,7 +1342,7 @@ static inline int64_t tangent_side__touch_side_t(array_double_1d tables, array_d
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     tangent_side__clear_side_t(work, work_t, side);
     status = layout__UNLOADED;
-    n1 = tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
+    n1 = tangent_side__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
     if (!n1)
     {
         status = layout__OFF_PROFILE;
@@ -1396,7 +1406,7 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
-    tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    tangent_side__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
     return layout__VALID;
 }
@@ -1412,7 +1422,7 @@ static inline int64_t tangent_side__find_points_t(array_double_1d work, array_do
     count = INT64_C(0);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
     {
-        n1 = tangent_followed_overlaps__follow_overlaps_t(work, work_t, tables, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
+        n1 = tangent_deep_points__follow_overlaps_t(work, work_t, tables, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
         count = n1;
     }
     if (count == INT64_C(0))
@@ -1420,7 +1430,7 @@ static inline int64_t tangent_side__find_points_t(array_double_1d work, array_do
         n2 = tangent_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
         count = n2;
     }
-    tangent_followed_overlaps__keep_points_t(work, work_t, kept);
+    tangent_deep_points__keep_points_t(work, work_t, kept);
     return count;
 }
 
@@ -1547,204 +1557,4 @@ static inline int64_t tangent_trial__balance_side_t(array_double_1d tables, arra
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v7;
     }
     return status;
-}
-
-
-/* ---- From tangent_wear.py; change that one.
- *
- * Tangents of wear.py.
- */
-
-/* Tangent of ``write_wear``. */
-static inline int64_t tangent_wear__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t stations)
-{
-    int64_t i;
-    int64_t number_end;
-    int64_t number;
-    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
-    }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-    {
-        tangent_wear__write_patch_wear_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``write_patch_wear``. */
-static inline int64_t tangent_wear__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch)
-{
-    int64_t first;
-    int64_t last;
-    double start_t;
-    double start;
-    double stop_t;
-    double stop;
-    int64_t index;
-    double low_station_t;
-    double low_station;
-    double high_station_t;
-    double high_station;
-    double low_shear_t;
-    double low_shear;
-    double low_slip_t;
-    double low_slip;
-    double v1;
-    double v1_t;
-    double high_shear_t;
-    double high_shear;
-    double v2;
-    double v2_t;
-    double high_slip_t;
-    double high_slip;
-    int64_t j;
-    double station_t;
-    double station;
-    int64_t strip;
-    double v3;
-    double v3_t;
-    double v4;
-    double v4_t;
-    double shear_t;
-    double shear;
-    double slip_t;
-    double slip;
-    double v5;
-    double v6;
-    double v7;
-    double share_t;
-    double share;
-    double v8;
-    double v9;
-    first = patch + layout__PATCH_STRIPS;
-    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
-    start_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work_t, first + layout__ROLLING_STRIP_WIDTH));
-    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
-    stop_t = (*cspan_at(&work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work_t, last + layout__ROLLING_STRIP_WIDTH));
-    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
-    index = INT64_C(0);
-    low_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
-    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    high_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
-    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    low_shear_t = 0.0;
-    low_shear = 0.0;
-    low_slip_t = 0.0;
-    low_slip = 0.0;
-    tangent_wear__strip_shear_t(&v1, &v1_t, work, work_t, first);
-    high_shear_t = v1_t;
-    high_shear = v1;
-    tangent_wear__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
-    high_slip_t = v2_t;
-    high_slip = v2;
-    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
-    {
-        station_t = (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j));
-        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
-        if ((station > start) && (station < stop))
-        {
-            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
-            {
-                index = index + INT64_C(1);
-                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-                low_station_t = high_station_t;
-                low_station = high_station;
-                low_shear_t = high_shear_t;
-                low_shear = high_shear;
-                low_slip_t = high_slip_t;
-                low_slip = high_slip;
-                high_station_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION));
-                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
-                tangent_wear__strip_shear_t(&v3, &v3_t, work, work_t, strip);
-                high_shear_t = v3_t;
-                high_shear = v3;
-                tangent_wear__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
-                high_slip_t = v4_t;
-                high_slip = v4;
-            }
-            shear_t = high_shear_t;
-            shear = high_shear;
-            slip_t = high_slip_t;
-            slip = high_slip;
-            if ((index > INT64_C(0)) && (station < high_station))
-            {
-                v5 = high_station - station;
-                v6 = high_station - low_station;
-                v7 = v5 / v6;
-                share_t = (high_station_t - station_t - v7 * (high_station_t - low_station_t)) / v6;
-                share = v7;
-                v8 = low_shear - shear;
-                shear_t = shear_t + (share_t * v8 + share * (low_shear_t - shear_t));
-                shear = shear + share * v8;
-                v9 = low_slip - slip;
-                slip_t = slip_t + (share_t * v9 + share * (low_slip_t - slip_t));
-                slip = slip + share * v9;
-            }
-            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear_t;
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip_t;
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``strip_shear``. */
-static inline int64_t tangent_wear__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip)
-{
-    double v1;
-    double v2;
-    double force_t;
-    double force;
-    double v3;
-    double v4;
-    (*shear_t) = 0.0;
-    (*shear) = 0.0;
-    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
-    {
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
-        v2 = sqrt(v1);
-        force_t = tangent_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
-        force = v2;
-        v3 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        v4 = force / v3;
-        (*shear_t) = (force_t - v4 * (2.0 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
-        (*shear) = v4;
-    }
-    return 0;
-}
-
-/* Tangent of ``strip_slip``. */
-static inline int64_t tangent_wear__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
-{
-    double v1;
-    double v2;
-    double force_t;
-    double force;
-    double power_t;
-    double power;
-    double v3;
-    double v4;
-    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
-    v2 = sqrt(v1);
-    force_t = tangent_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
-    force = v2;
-    (*slip_t) = 0.0;
-    (*slip) = 0.0;
-    if (force > 0.0)
-    {
-        power_t = -((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))));
-        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
-        if (power > 0.0)
-        {
-            v3 = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power;
-            v4 = v3 / force;
-            (*slip_t) = ((*cspan_at(&work_t, patch + layout__PATCH_SPEED)) * power + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power_t - v4 * force_t) / force;
-            (*slip) = v4;
-        }
-    }
-    return 0;
 }

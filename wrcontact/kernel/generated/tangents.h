@@ -5,6 +5,9 @@
 #include "kernel.h"
 
 /* tangent_analyn.py */
+static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other);
+static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other);
+static inline int64_t tangent_analyn__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other);
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t);
 static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
 static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, int64_t count);
@@ -17,32 +20,23 @@ static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetrat
 static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
-/* tangent_approach.py */
-static inline int64_t tangent_approach__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
-
-/* tangent_arc_length.py */
-static inline int64_t tangent_arc_length__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t);
-static inline int64_t tangent_arc_length__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t);
-static inline int64_t tangent_arc_length__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t);
-static inline int64_t tangent_arc_length__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t);
+/* tangent_coefficients.py */
+static inline int64_t tangent_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
+static inline int64_t tangent_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
+static inline int64_t tangent_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
+static inline int64_t tangent_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
+static inline int64_t tangent_coefficients__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
+static inline int64_t tangent_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
+static inline int64_t tangent_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
+static inline int64_t tangent_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
+static inline int64_t tangent_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
+static inline int64_t tangent_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
+static inline int64_t tangent_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* tangent_compliant.py */
 static inline int64_t tangent_compliant__damp_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t);
 static inline int64_t tangent_compliant__damp_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side);
 static inline int64_t tangent_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double height, double height_t);
-
-/* tangent_contact_plane.py */
-static inline int64_t tangent_contact_plane__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
-static inline int64_t tangent_contact_plane__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t);
-
-/* tangent_contact_point.py */
-static inline bool tangent_contact_point__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
-
-/* tangent_contact_rates.py */
-static inline int64_t tangent_contact_rates__constrain_touching_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t point);
-static inline int64_t tangent_contact_rates__constrain_loaded_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t forces);
-static inline int64_t tangent_contact_rates__known_part_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion);
-static inline int64_t tangent_contact_rates__set_contact_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right);
 
 /* tangent_correction.py */
 static inline int64_t tangent_correction__scale_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double share, double share_t);
@@ -56,11 +50,21 @@ static inline int64_t tangent_correction__missing_t(double* result_0, double* re
 static inline int64_t tangent_correction__correct_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* tangent_coupled_strips.py */
+static inline int64_t tangent_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
+static inline int64_t tangent_coupled_strips__smooth_step_t(double* value, double* value_t, double z, double z_t);
+static inline int64_t tangent_coupled_strips__slip_depth_t(double* depth, double* depth_t, double* weight, double* weight_t, double square, double square_t, double v, double v_t, double k, double k_t, double a, double a_t);
+static inline int64_t tangent_coupled_strips__later_share_t(double* share, double* share_t, double depth, double depth_t, double ratio, double ratio_t);
+static inline int64_t tangent_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t);
 static inline int64_t tangent_coupled_strips__flexibilities_t(double* v4, double* result_1, double* v7, double* result_3, array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t tangent_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index);
 static inline int64_t tangent_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t tangent_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t tangent_coupled_strips__solve_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
+
+/* tangent_creep_force.py */
+static inline int64_t tangent_creep_force__mirror_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_creep_force__solve_tangential_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* tangent_creepage.py */
 static inline int64_t tangent_creepage__rolling_velocity_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* v5, double* result_7, array_double_1d work, array_double_1d work_t, int64_t motion, double x, double x_t, double y, double y_t, double z, double z_t, double radius, double radius_t);
@@ -68,10 +72,12 @@ static inline int64_t tangent_creepage__velocity_along_t(double* result_0, doubl
 static inline int64_t tangent_creepage__reference_speed_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double rolling_x, double rolling_x_t);
 static inline int64_t tangent_creepage__move_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t tangent_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t tangent_creepage__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 
-/* tangent_cubic_table.py */
-static inline int64_t tangent_cubic_table__read_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at, double at_t);
-static inline int64_t tangent_cubic_table__read_cubic_jet_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, int64_t table, double at, double at_t);
+/* tangent_curvature.py */
+static inline int64_t tangent_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t);
+static inline int64_t tangent_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t);
+static inline int64_t tangent_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t);
 
 /* tangent_curves.py */
 static inline int64_t tangent_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t);
@@ -79,17 +85,32 @@ static inline int64_t tangent_curves__curve_speed_t(double* speed, double* speed
 static inline int64_t tangent_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t curve, double u, double u_t);
 static inline int64_t tangent_curves__open_curve_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t);
 static inline int64_t tangent_curves__open_origin_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double spacing, double spacing_t);
+static inline int64_t tangent_curves__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t);
+static inline int64_t tangent_curves__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t);
+static inline int64_t tangent_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t);
+static inline int64_t tangent_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t);
+static inline bool tangent_curves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t);
+static inline bool tangent_curves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t);
+static inline bool tangent_curves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t);
+static inline bool tangent_curves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t);
+
+/* tangent_cut.py */
+static inline int64_t tangent_cut__describe_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__lay_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t);
+static inline int64_t tangent_cut__cut_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__add_piece_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t at, double low, double low_t, double low_square, double low_square_t, double low_load, double low_load_t, double high, double high_t, double high_square, double high_square_t, double high_load, double high_load_t);
+static inline int64_t tangent_cut__cut_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__finish_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__plane_slips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__clear_creep_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_cut__cut_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 
 /* tangent_deep_points.py */
 static inline int64_t tangent_deep_points__copy_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t copy);
 static inline int64_t tangent_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t);
-
-/* tangent_dissipation.py */
-static inline int64_t tangent_dissipation__creep_gain_t(double* gain, double* gain_t, array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_dissipation__keep_dissipating_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-
-/* tangent_elimination.py */
-static inline int64_t tangent_elimination__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size);
+static inline int64_t tangent_deep_points__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept);
+static inline int64_t tangent_deep_points__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t);
+static inline int64_t tangent_deep_points__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t);
 
 /* tangent_estimate.py */
 static inline int64_t tangent_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
@@ -124,11 +145,6 @@ static inline int64_t tangent_filling__remove_unloaded_t(array_double_1d work, a
 static inline int64_t tangent_filling__total_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
 static inline int64_t tangent_filling__finish_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
 
-/* tangent_followed_overlaps.py */
-static inline int64_t tangent_followed_overlaps__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept);
-static inline int64_t tangent_followed_overlaps__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t);
-static inline int64_t tangent_followed_overlaps__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t);
-
 /* tangent_forces.py */
 static inline int64_t tangent_forces__clear_forces_t(array_double_1d work, array_double_1d work_t, int64_t forces);
 static inline int64_t tangent_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
@@ -138,42 +154,29 @@ static inline int64_t tangent_forces__add_forces_t(array_double_1d work, array_d
 static inline int64_t tangent_forces__sum_side_t(array_double_1d work, array_double_1d work_t, int64_t side, bool rubbing);
 static inline int64_t tangent_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 
+/* tangent_frame.py */
+static inline int64_t tangent_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
+static inline int64_t tangent_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t tangent_frame__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
+static inline int64_t tangent_frame__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
+static inline int64_t tangent_frame__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t tangent_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot);
+static inline int64_t tangent_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region);
+static inline int64_t tangent_frame__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
+static inline int64_t tangent_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
+static inline int64_t tangent_frame__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region);
+
 /* tangent_friction.py */
 static inline int64_t tangent_friction__flange_share_t(double* result_0, double* result_1, array_double_1d tables, double angle, double angle_t);
 static inline int64_t tangent_friction__patch_friction_t(double* found, double* found_t, array_double_1d tables, double friction, double friction_t, double angle, double angle_t, double sliding, double sliding_t);
 static inline int64_t tangent_friction__slope_factor_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t tangent_friction__multiply_creepages_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t);
-
-/* tangent_friction_load.py */
-static inline int64_t tangent_friction_load__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index);
+static inline int64_t tangent_friction__creep_gain_t(double* gain, double* gain_t, array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t tangent_friction__keep_dissipating_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 
 /* tangent_gap.py */
 static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
 static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
-
-/* tangent_hertz.py */
-static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
-static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
-static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
-static inline int64_t tangent_hertz__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
-static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
-
-/* tangent_hertz_contact.py */
-static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-
-/* tangent_interaction.py */
-static inline int64_t tangent_interaction__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other);
-static inline int64_t tangent_interaction__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other);
-static inline int64_t tangent_interaction__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other);
-
-/* tangent_interpolation.py */
-static inline int64_t tangent_interpolation__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t);
-static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t);
-static inline int64_t tangent_interpolation__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t);
-
-/* tangent_lateral_curvature.py */
-static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t);
-static inline int64_t tangent_lateral_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t);
 
 /* tangent_leaning.py */
 static inline int64_t tangent_leaning__set_reference_t(array_double_1d work, array_double_1d work_t, double height, double height_t);
@@ -189,36 +192,31 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
 static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, double* stretch, double* stretch_t, double* slope_rate, double* slope_rate_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t, double bend, double bend_t);
 static inline int64_t tangent_locus__outline_x_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
 
-/* tangent_longitudinal_curvature.py */
-static inline int64_t tangent_longitudinal_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t);
+/* tangent_march.py */
+static inline int64_t tangent_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t);
+static inline int64_t tangent_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
+static inline int64_t tangent_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last);
+static inline int64_t tangent_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number);
+static inline int64_t tangent_march__sqrt_of_t(double* root, double* root_t, double value, double value_t);
+static inline int64_t tangent_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t);
+static inline int64_t tangent_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t);
+static inline int64_t tangent_march__reach_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double x, double x_t, double bound, double bound_t);
+static inline int64_t tangent_march__march_first_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t);
+static inline int64_t tangent_march__march_second_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t);
+static inline int64_t tangent_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double bound, double bound_t);
+static inline int64_t tangent_march__leave_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double x, double x_t, double bound, double bound_t);
+static inline int64_t tangent_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
 
-/* tangent_mean_normal.py */
-static inline int64_t tangent_mean_normal__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
-
-/* tangent_moves.py */
-static inline bool tangent_moves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t);
-static inline bool tangent_moves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t);
-static inline bool tangent_moves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t);
-static inline bool tangent_moves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t);
-
-/* tangent_moving.py */
-static inline int64_t tangent_moving__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t tangent_moving__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
-static inline int64_t tangent_moving__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
-
-/* tangent_node_coefficients.py */
-static inline int64_t tangent_node_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
-static inline int64_t tangent_node_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
-static inline int64_t tangent_node_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
-static inline int64_t tangent_node_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
-static inline int64_t tangent_node_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
-static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
-
-/* tangent_node_layout.py */
-static inline int64_t tangent_node_layout__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t);
-static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t);
-static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
-static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t);
+/* tangent_motion.py */
+static inline int64_t tangent_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t tangent_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t);
+static inline int64_t tangent_motion__open_left_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
+static inline int64_t tangent_motion__open_right_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
+static inline int64_t tangent_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t);
+static inline int64_t tangent_motion__constrain_touching_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t point);
+static inline int64_t tangent_motion__constrain_loaded_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t forces);
+static inline int64_t tangent_motion__known_part_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion);
+static inline int64_t tangent_motion__set_contact_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right);
 
 /* tangent_node_patches.py */
 static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
@@ -241,11 +239,19 @@ static inline int64_t tangent_nodes__extrapolate_node_t(array_double_1d work, ar
 static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t);
 static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t);
 static inline int64_t tangent_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
+static inline int64_t tangent_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t);
+static inline int64_t tangent_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t);
+static inline int64_t tangent_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
+static inline int64_t tangent_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t);
 
 /* tangent_normal_contact.py */
+static inline int64_t tangent_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* tangent_outline.py */
+static inline int64_t tangent_outline__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t);
+static inline int64_t tangent_outline__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t);
+static inline int64_t tangent_outline__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t);
 static inline int64_t tangent_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count);
 static inline int64_t tangent_outline__write_straight_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side);
@@ -256,19 +262,13 @@ static inline int64_t tangent_overlaps__turning_rule_t(double* found_x, double* 
 static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double height, double height_t);
 
 /* tangent_patch_places.py */
+static inline int64_t tangent_patch_places__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
 static inline int64_t tangent_patch_places__open_place_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t tangent_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double away, double away_t);
 static inline int64_t tangent_patch_places__place_load_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t patch, int64_t number);
 static inline int64_t tangent_patch_places__close_place_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t tangent_patch_places__place_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side);
 static inline int64_t tangent_patch_places__place_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
-
-/* tangent_planes.py */
-static inline int64_t tangent_planes__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
-static inline int64_t tangent_planes__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
-static inline int64_t tangent_planes__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
-static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot);
-static inline int64_t tangent_planes__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region);
 
 /* tangent_polach.py */
 static inline int64_t tangent_polach__mean_coefficient_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double first, double first_t, double second, double second_t, double slip, double slip_t);
@@ -285,6 +285,8 @@ static inline int64_t tangent_pressed__meet_rule_t(double* result_0, double* res
 static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double y, double y_t, double bend, double bend_t);
 static inline int64_t tangent_pressed__normal_line_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* curvature, double* curvature_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
 static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t);
+static inline int64_t tangent_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t);
+static inline int64_t tangent_pressed__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t);
 
 /* tangent_pressed_regions.py */
 static inline int64_t tangent_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point);
@@ -294,10 +296,6 @@ static inline int64_t tangent_pressed_regions__sink_deeper_t(array_double_1d wor
 static inline int64_t tangent_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
 static inline int64_t tangent_pressed_regions__give_own_frame_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
 static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
-
-/* tangent_profile_table.py */
-static inline int64_t tangent_profile_table__height_slope_t(double* result_0, double* result_1, double* slope, double* slope_t, array_double_1d tables, int64_t profile, double y, double y_t);
-static inline int64_t tangent_profile_table__height_slope_bend_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t profile, double y, double y_t);
 
 /* tangent_quadrature.py */
 static inline int64_t tangent_quadrature__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t);
@@ -322,11 +320,6 @@ static inline double tangent_rates__root_rate(double root, double rate);
 static inline double tangent_rates__size_rate(double value, double rate);
 static inline double tangent_rates__power_rate(double power, double base, double exponent, double rate);
 
-/* tangent_regions.py */
-static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
-static inline int64_t tangent_regions__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region);
-
 /* tangent_report.py */
 static inline int64_t tangent_report__write_vector_t(array_double_1d work, array_double_1d work_t, int64_t out, int64_t vector, double plane, double plane_t, double across, double across_t);
 static inline int64_t tangent_report__report_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t out, double mirror, double mirror_t);
@@ -340,6 +333,7 @@ static inline int64_t tangent_report__report_t(array_double_1d tables, array_dou
 
 /* tangent_requested.py */
 static inline int64_t tangent_requested__side_force_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index);
+static inline int64_t tangent_requested__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index);
 
 /* tangent_rigid.py */
 static inline int64_t tangent_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t);
@@ -351,21 +345,17 @@ static inline int64_t tangent_roll__lean_both_t(array_double_1d work, array_doub
 static inline int64_t tangent_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d left_tables, array_double_1d right_tables, double roll, double roll_t);
 
 /* tangent_rubbing.py */
+static inline int64_t tangent_rubbing__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
+static inline int64_t tangent_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline int64_t tangent_rubbing__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip);
+static inline int64_t tangent_rubbing__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
+static inline int64_t tangent_rubbing__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t tangent_rubbing__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t stations);
 static inline int64_t tangent_rubbing__open_rolling_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, double friction, double friction_t);
 static inline int64_t tangent_rubbing__close_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t);
 static inline int64_t tangent_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double friction, double friction_t);
 static inline int64_t tangent_rubbing__rub_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-
-/* tangent_sections.py */
-static inline int64_t tangent_sections__describe_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__lay_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t);
-static inline int64_t tangent_sections__cut_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__add_piece_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t at, double low, double low_t, double low_square, double low_square_t, double low_load, double low_load_t, double high, double high_t, double high_square, double high_square_t, double high_load, double high_load_t);
-static inline int64_t tangent_sections__cut_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__finish_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__plane_slips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__clear_creep_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_sections__cut_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 
 /* tangent_separation.py */
 static inline int64_t tangent_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
@@ -374,12 +364,8 @@ static inline int64_t tangent_separation__depth_lost_t(double* result_0, double*
 static inline int64_t tangent_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, int64_t kind);
 static inline int64_t tangent_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t);
 
-/* tangent_shapes.py */
-static inline int64_t tangent_shapes__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t);
-static inline int64_t tangent_shapes__shape_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double place, double place_t);
-static inline int64_t tangent_shapes__kalker_coefficients_t(double* v3, double* result_1, double* v5, double* result_3, double* v7, double* result_5, array_double_1d tables, int64_t table, double axis_ratio, double axis_ratio_t);
-
 /* tangent_side.py */
+static inline bool tangent_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
 static inline int64_t tangent_side__clear_side_t(array_double_1d work, array_double_1d work_t, int64_t side);
 static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t tangent_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
@@ -387,29 +373,6 @@ static inline int64_t tangent_side__solve_side_t(array_double_1d tables, array_d
 static inline int64_t tangent_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height, double height_t);
 static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t);
 static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count);
-
-/* tangent_slip_march.py */
-static inline int64_t tangent_slip_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t);
-static inline int64_t tangent_slip_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
-static inline int64_t tangent_slip_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last);
-static inline int64_t tangent_slip_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number);
-static inline int64_t tangent_slip_march__sqrt_of_t(double* root, double* root_t, double value, double value_t);
-static inline int64_t tangent_slip_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t);
-static inline int64_t tangent_slip_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t);
-static inline int64_t tangent_slip_march__reach_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double x, double x_t, double bound, double bound_t);
-static inline int64_t tangent_slip_march__march_first_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t);
-static inline int64_t tangent_slip_march__march_second_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t);
-static inline int64_t tangent_slip_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double bound, double bound_t);
-static inline int64_t tangent_slip_march__leave_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double x, double x_t, double bound, double bound_t);
-static inline int64_t tangent_slip_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
-
-/* tangent_stick_zone.py */
-static inline int64_t tangent_stick_zone__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
-static inline int64_t tangent_stick_zone__smooth_step_t(double* value, double* value_t, double z, double z_t);
-static inline int64_t tangent_stick_zone__slip_depth_t(double* depth, double* depth_t, double* weight, double* weight_t, double square, double square_t, double v, double v_t, double k, double k_t, double a, double a_t);
-static inline int64_t tangent_stick_zone__later_share_t(double* share, double* share_t, double depth, double depth_t, double ratio, double ratio_t);
-static inline int64_t tangent_stick_zone__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t);
-static inline int64_t tangent_stick_zone__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t);
 
 /* tangent_stiffness.py */
 static inline int64_t tangent_stiffness__join_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
@@ -425,24 +388,15 @@ static inline int64_t tangent_stiffness__find_stiffnesses_t(array_double_1d work
 static inline int64_t tangent_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t);
 
 /* tangent_strip_contact.py */
+static inline int64_t tangent_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t);
+static inline int64_t tangent_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t);
+static inline int64_t tangent_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
+static inline int64_t tangent_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration);
+static inline int64_t tangent_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
+static inline int64_t tangent_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
 static inline int64_t tangent_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
 static inline int64_t tangent_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t tangent_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t);
-
-/* tangent_strip_edges.py */
-static inline int64_t tangent_strip_edges__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward);
-
-/* tangent_strip_influence.py */
-static inline int64_t tangent_strip_influence__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t);
-static inline int64_t tangent_strip_influence__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
-static inline int64_t tangent_strip_influence__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
-static inline int64_t tangent_strip_influence__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
-static inline int64_t tangent_strip_influence__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
-static inline int64_t tangent_strip_influence__begin_influences_t(array_double_1d work, array_double_1d work_t);
-static inline int64_t tangent_strip_influence__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed);
-static inline int64_t tangent_strip_influence__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed);
-static inline int64_t tangent_strip_influence__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last);
-static inline int64_t tangent_strip_influence__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t);
 
 /* tangent_strip_layout.py */
 static inline int64_t tangent_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count);
@@ -468,6 +422,7 @@ static inline int64_t tangent_strip_lengths__limit_lengths_t(array_double_1d wor
 static inline int64_t tangent_strip_lengths__adopt_lengths_t(array_double_1d work, array_double_1d work_t);
 
 /* tangent_strip_patches.py */
+static inline int64_t tangent_strip_patches__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward);
 static inline int64_t tangent_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);
 static inline int64_t tangent_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index);
 static inline int64_t tangent_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner);
@@ -485,6 +440,17 @@ static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d 
 static inline int64_t tangent_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 
 /* tangent_strip_pressures.py */
+static inline int64_t tangent_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size);
+static inline int64_t tangent_strip_pressures__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t);
+static inline int64_t tangent_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
+static inline int64_t tangent_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
+static inline int64_t tangent_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
+static inline int64_t tangent_strip_pressures__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
+static inline int64_t tangent_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t tangent_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed);
+static inline int64_t tangent_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed);
+static inline int64_t tangent_strip_pressures__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last);
+static inline int64_t tangent_strip_pressures__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t);
 static inline int64_t tangent_strip_pressures__list_loaded_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, int64_t size);
 static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t);
@@ -506,26 +472,12 @@ static inline int64_t tangent_strip_surfaces__first_lengths_t(array_double_1d wo
 static inline int64_t tangent_strip_surfaces__lengths_before_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
 static inline int64_t tangent_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t);
 
-/* tangent_strip_zones.py */
-static inline int64_t tangent_strip_zones__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t);
-static inline int64_t tangent_strip_zones__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t);
-
-/* tangent_strips.py */
-static inline int64_t tangent_strips__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t tangent_strips__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration);
-static inline int64_t tangent_strips__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t tangent_strips__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
-
-/* tangent_table_cell.py */
-static inline int64_t tangent_table_cell__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t);
-
-/* tangent_tangential_contact.py */
-static inline int64_t tangent_tangential_contact__mirror_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t tangent_tangential_contact__solve_tangential_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
-
-/* tangent_touching.py */
-static inline int64_t tangent_touching__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t);
-static inline int64_t tangent_touching__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t);
+/* tangent_tables.py */
+static inline int64_t tangent_tables__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t);
+static inline int64_t tangent_tables__read_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at, double at_t);
+static inline int64_t tangent_tables__read_cubic_jet_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, int64_t table, double at, double at_t);
+static inline int64_t tangent_tables__height_slope_t(double* result_0, double* result_1, double* slope, double* slope_t, array_double_1d tables, int64_t profile, double y, double y_t);
+static inline int64_t tangent_tables__height_slope_bend_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t profile, double y, double y_t);
 
 /* tangent_traces.py */
 static inline int64_t tangent_traces__start_traces_t(array_double_1d work, array_double_1d work_t, double station, double station_t, double abscissa, double abscissa_t, double y, double y_t);
@@ -536,6 +488,9 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
 static inline int64_t tangent_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
 
 /* tangent_tractions.py */
+static inline int64_t tangent_tractions__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t);
+static inline int64_t tangent_tractions__shape_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double place, double place_t);
+static inline int64_t tangent_tractions__kalker_coefficients_t(double* v3, double* result_1, double* v5, double* result_3, double* v7, double* result_5, array_double_1d tables, int64_t table, double axis_ratio, double axis_ratio_t);
 static inline int64_t tangent_tractions__bound_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t tangent_tractions__cut_to_t(double* result_0, double* result_1, double* result_2, double* result_3, double along, double along_t, double across, double across_t, double bound, double bound_t);
 static inline int64_t tangent_tractions__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double along, double along_t, double across, double across_t, double moment, double moment_t);
@@ -545,19 +500,6 @@ static inline int64_t tangent_tractions__point_weight_t(double* result_0, double
 /* tangent_trial.py */
 static inline int64_t tangent_trial__permitted_approach_t(double* approach, double* approach_t, array_double_1d work, array_double_1d work_t, int64_t support, int64_t side, double height, double height_t);
 static inline int64_t tangent_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double height, double height_t);
-
-/* tangent_wear.py */
-static inline int64_t tangent_wear__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip);
-static inline int64_t tangent_wear__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t tangent_wear__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
-static inline int64_t tangent_wear__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t stations);
-
-/* tangent_wheelset_motion.py */
-static inline int64_t tangent_wheelset_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t tangent_wheelset_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t);
-static inline int64_t tangent_wheelset_motion__open_left_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
-static inline int64_t tangent_wheelset_motion__open_right_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
-static inline int64_t tangent_wheelset_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t);
 
 /* tangent_wheelset_rules.py */
 static inline int64_t tangent_wheelset_rules__begin_yaw_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t);
@@ -574,14 +516,12 @@ static inline int64_t tangent_wheelset_rules__follow_load_t(array_double_1d work
 static inline bool tangent_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
 
 /* tangent_widths.py */
+static inline int64_t tangent_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t);
+static inline int64_t tangent_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t);
+static inline int64_t tangent_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t tangent_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
+static inline int64_t tangent_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
 static inline int64_t tangent_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);
 static inline int64_t tangent_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t);
-
-/* tangent_zone_width.py */
-static inline int64_t tangent_zone_width__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t);
-static inline int64_t tangent_zone_width__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t);
-static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
-static inline int64_t tangent_zone_width__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
-static inline int64_t tangent_zone_width__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
 
 #endif

@@ -118,7 +118,7 @@ HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table
 
 @record
 class HertzTable:
-    """1 + alpha and n r over ln(B/A), as quintics over uniform cells (normal/hertz.py)."""
+    """1 + alpha and n r over ln(B/A), as quintics over uniform cells (normal/coefficients.py)."""
 
     count: float                    # cells
     start: float                    # where the first one begins

@@ -17,7 +17,7 @@ ROLLING_STRIP_LIMIT: Final[int] = 16     # strips that a patch is cut into along
 #: A number for each region.
 RegionRun = run(REGION_LIMIT)
 
-# how half-length and pressure follow between the strips of a patch (patch/interpolation.py)
+# how half-length and pressure follow between the strips of a patch (patch/outline.py)
 RULE_ELLIPSE: Final[int] = 0         # the patch is an ellipse and has no strips: in closed form
 RULE_QUADRATIC: Final[int] = 1       # quadratics through the squares at evenly spaced strips
 RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, to zero at the patch's edges

@@ -72,7 +72,7 @@ RollingBlocks = RollingBlock * BLOCK_COUNT
 
 @record
 class RollingMarch:
-    """A strip while its stick zone is found, and FaStrip's tractions; equations of stick_zone.py."""
+    """A strip while its stick zone is found, and FaStrip's tractions; equations of coupled_strips.py."""
 
     half_length: float              # a [m]
     rate: float                     # m, bound of the traction over sqrt(a^2 - x^2) [Pa/m]
@@ -106,7 +106,7 @@ StripRow = run(ROLLING_STRIP_LIMIT)
 
 @record
 class RollingMarches:
-    """All strips side by side while their tractions are followed; equations of slip_march.py.  Places are
+    """All strips side by side while their tractions are followed; equations of march.py.  Places are
     over a and tractions over m a."""
 
     push_x: StripRow                # what the traction of march A loses per way: along,

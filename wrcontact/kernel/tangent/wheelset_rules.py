@@ -7,7 +7,7 @@ the result solves gives its rate. From r(x, p) = 0 follows
     dx = -(dr/dp dp) / (dr/dx)
 
 Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
-gives the result the rate that follows. Values stay as they are. contact_rules.py and normal_rules.py have the
+gives the result the rate that follows. Values stay as they are. contact_rules.py and contact_rules.py have the
 rules of their rooms, this file the wheelset and the whole step, ``differentiate``. The files are inputs of
 ``tools/tangent`` and are not translated themselves; intrinsics.py has the words in which they speak of rates.
 """
@@ -20,13 +20,11 @@ from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import is_damped, load_at_height
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.friction_load import LOAD_RATES, carried_share, carries_friction
+from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, side_force
 from ..wheelset.leaning import set_reference
-from ..wheelset.moving import move_patches, open_given_motion
+from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
 from ..wheelset.report import report
-from ..wheelset.requested import side_force
 from ..wheelset.rigid import solve_rigid
-from ..wheelset.rubbing import rub_patches
 from ..wheelset.trial import balance_side
 from .intrinsics import held, moving, rate_of, seeded
 

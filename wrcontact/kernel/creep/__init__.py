@@ -1,0 +1,1 @@
+"""How the wheelset moves, how fast each patch slides and turns on its rail, and the creep force that follows."""
