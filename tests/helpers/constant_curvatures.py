@@ -4,8 +4,7 @@ import numpy as np
 
 from data.hertz import MODULUS, hertz
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence_table
 from wrcontact.kernel.contact import frame
 from wrcontact.kernel.normal.coefficients import weigh_nodes
 

@@ -11,7 +11,7 @@ from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.paths import DATA
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
+from wrcontact.kernel.binding.fixed_tables import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
 from wrcontact.kernel.normal.coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from wrcontact.kernel.normal.node_patches import fill_from_nodes

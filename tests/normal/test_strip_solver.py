@@ -11,14 +11,18 @@ from data.hertz import hertz
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.strips import errors
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence, influence_table, mean_influence
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence, influence_table, mean_influence
 from wrcontact.kernel.layout import INFLUENCE_MAP, InfluenceTable
 from wrcontact.kernel.normal import strip_contact
-from wrcontact.kernel.normal.strip_pressures import (apartness, eliminate, influence_at, middle_influence,
-                                                     nearness)
 from wrcontact.kernel.normal.coefficients import STEEPEST, hertz_coefficients, skewed_coefficients
 from wrcontact.kernel.normal.strip_patches import fill_from_strips
+from wrcontact.kernel.normal.strip_pressures import (
+    apartness,
+    eliminate,
+    influence_at,
+    middle_influence,
+    nearness,
+)
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 

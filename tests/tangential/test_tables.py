@@ -9,10 +9,11 @@ from scipy import integrate
 from data.creep_cases import CREEP
 from wrcontact.creep import elliptic_nodes
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table
+from wrcontact.kernel.binding import kalker_table, rolling_table
+from wrcontact.kernel.binding import rolling_table as reach_table
 from wrcontact.kernel.binding.fixed_tables import fixed_tables
-from wrcontact.kernel.prepare import tables as fixed
 from wrcontact.kernel.creep import stiffness, tractions
+from wrcontact.kernel.prepare import tables as fixed
 
 pytestmark = pytest.mark.machine
 

@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from ..kernel import layout
-from ..kernel.binding.reach_table import stored
-from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
-from ..kernel.prepare import tables as fixed
+from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, stored, uncorrected
 from ..kernel.creep import cut, stiffness
+from ..kernel.prepare import tables as fixed
 from .forces import roll
 from .patch import elliptic_patch
 

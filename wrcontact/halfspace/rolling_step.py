@@ -6,9 +6,9 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
+from ..kernel.creep.creep_force import mirror_rolling
 from ..kernel.creep.creepage import STANDSTILL
 from ..kernel.creep.cut import clear_creep
-from ..kernel.creep.creep_force import mirror_rolling
 from ..kernel.creep.tractions import add_strip
 from ..kernel.wheelset.forces import sum_forces
 from ..kernel.wheelset.report import report

@@ -25,12 +25,11 @@ from pathlib import Path
 import numpy as np
 
 from . import files
-from .files import HERE
+from .files import HERE, LIBRARY_NAME
 from .. import layout
 from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE,
                       WORK_SIZE, Inputs, Setup, State, Tables, Work)
 from ..patch.outline import row_size
-from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
 
 #: How many numbers the tables get room for at first, and at most.

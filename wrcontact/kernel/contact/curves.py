@@ -5,16 +5,15 @@ The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile
 ``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
 the origin of the region.
 
-Arc lengths of the curves across the track, in two ways for two purposes.
+Arc lengths of the curves are found in two ways, for two purposes.
 
 Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
 a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
           suitable for them that is smooth, the same at every use, and cheap.
 
-Moves along the two curves of :mod:`curves`: by arc length, by chords, or to a lateral coordinate.
-
-A move leaves the new abscissa in the frame's trace, and returns whether the curve reaches that far.
+Moves along the curves are by arc length, by chords, or to a lateral coordinate.  A move leaves the new
+abscissa in the frame's trace, and returns whether the curve reaches that far.
 """
 
 from math import fabs, sqrt

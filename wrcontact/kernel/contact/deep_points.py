@@ -1,7 +1,7 @@
 """The list of deepest points of the overlap, in the order of the rail, with the saddles between them.
 
-Deepest points that are followed from one trial of an elastic wheelset to the next, which stands a few
-micrometres away: a search for them costs as much as the rest of a trial.
+They are followed from one trial of an elastic wheelset to the next, which stands a few micrometres away: a
+search for them costs as much as the rest of a trial.
 """
 
 from typing import Final

@@ -14,11 +14,9 @@ but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles
 not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
 stations begin.
 
-Pairs of points of wheel and rail with a common normal: where the overlap of a pressed wheel is largest, or
-smallest between two largest ones.
-
-They are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In a
-pair the outline and the rail have one slope m and the line between both points is normal to them,
+Where the overlap is largest, or smallest between two largest ones, a pair of points has a common normal.
+Such pairs are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In
+a pair the outline and the rail have one slope m and the line between both points is normal to them,
 
     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,
     depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)

@@ -1,6 +1,5 @@
-"""How far the interpenetration of a region reaches to either side.
-
-How wide the interpenetration of a region is, and the lateral curvatures that follow from it.
+"""How far the interpenetration of a region reaches to either side, and the lateral curvatures that follow
+from its width.
 """
 
 from math import fabs, sqrt

@@ -1,1 +1,1 @@
-"""How the wheelset moves, how fast each patch slides and turns on its rail, and the creep force that follows."""
+"""How the wheelset moves, how its patches slide and turn on the rails, and their creep forces."""

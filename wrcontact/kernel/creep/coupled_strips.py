@@ -1,7 +1,17 @@
-"""Where a strip sticks: strip theory with a bound, made continuous.
+"""Coupled strips: creep force of any patch, strip by strip.
 
-In units of the bound's rate m the creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and
-k = -K3 phi / m.  The strip sticks from -a + 2 d to its leading edge a, with the traction
+Each strip has its stick zone and its slip zone (march.py), with the stiffness that it has beside the others
+on one half-space (stiffness.py).  What an ellipse with the patch's area and length over width is known to
+differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
+
+    int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
+    int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
+
+in which the second root of eq. (Z1) is integrated exactly.
+
+Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
+creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
+2 d to its leading edge a, with the traction
 
     p = m (e sqrt(a^2 - x^2) - (e - (0, k)) sqrt((a - d)^2 - (x - d)^2))                         (Z1)
     e = (u, v + k d) / d,   d^2 (1 - k^2) - 2 v k d - (U + v^2) = 0,   U = u^2 + s^2             (Z2)
@@ -22,17 +32,6 @@ D = v^2 + (1 - k^2) U, t = sqrt(1 - d/a) and q = |e (1 - t) + (0, k) t|
     c = S(D/v^2) (1 - S(q - 1)) S((1 - d/a) / 0.1)                                               (Z5)
 
 of which the first two count only for k^2 > 1, the first only for v k < 0.
-
-Coupled strips: creep force of any patch, strip by strip.
-
-Each strip has its stick zone (coupled_strips.py) and its slip zone (march.py), with the stiffness that it
-has beside the others on one half-space (stiffness.py).  What an ellipse with the patch's area and length over
-width is known to differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
-
-    int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
-    int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
-
-in which the second root of eq. (Z1) is integrated exactly.
 """
 
 from math import fabs, pi, sqrt

@@ -15,8 +15,6 @@ The left wheel is mirrored.
 
 The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
 circumference that it has when it carries nothing, however deep it is pressed.
-
-How fast a wheel and its rail approach each other.
 """
 
 from math import cos, fabs, sin, sqrt

@@ -18,8 +18,9 @@ with t' = t for the new i_j.  The direction is that of c = (1 - W) p_A + W p_B, 
 
     n = c g / sqrt(|c|^2 + 0.05^2 (g^2 - |c|^2))                                                 (M5)
 
-Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip which
-slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip
+which slips all over.  The first point behind the stick zone takes over in proportion to the way from its
+edge.
 
 All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
 of all of them, and compilers do several strips at once.

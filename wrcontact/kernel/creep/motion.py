@@ -3,10 +3,9 @@
 Velocities are those in the track frame, whose origin runs along the track with the speed.  In a curve the
 frame turns in space, and the rails stand still there.  The left side is mirrored.
 
-Vertical velocity and roll rate of a wheelset that stays on both rails.
-
-A wheel that stays in contact moves along the plane of the contact: the velocity of its surface against the
-rail has no part along the normal n.  With the velocity v of the wheelset's centre and its rotation W this is
+Vertical velocity and roll rate may follow from contact with both rails.  A wheel that stays in contact moves
+along the plane of the contact: the velocity of its surface against the rail has no part along the normal n.
+With the velocity v of the wheelset's centre and its rotation W this is
 
     n . v + ((P - C) x n) . W = the same for the rail
 

@@ -1,6 +1,5 @@
-"""What depends on the shape of a patch, its length over its width, from the table of rolling.
-
-Tractions along a strip: points, bound, and sums.
+"""What the models of creep forces share: Kalker's coefficients by the shape of a patch, its length over its
+width, and tractions along a strip: points, bound, and sums.
 
 The points x_q = a cos(q pi / (n + 1)), q = 1 ... n, run from the leading edge at a to the trailing one at -a.
 With the weights a pi / (n + 1) sin(q pi / (n + 1)) the bound m sqrt(a^2 - x^2) is integrated exactly.  m is

@@ -698,12 +698,11 @@ static inline int64_t deep_points__follow_saddle(array_double_1d work, array_dou
 
 /* ---- From contact/frame.py; change that one.
  *
- * The plane of a contact, and the gap of wheel and rail along its normal.
+ * The frame of a contact: its plane, the gap of wheel and rail along the plane's normal, and the region around
+ * its contact point or deepest point.
  *
- * Frames that are set aside: every region of a pressed wheel beside the contact point's has its own, at its
+ * Frames are set aside where a wheel is pressed: every region beside the contact point's has its own, at its
  * deepest point.
- *
- * The region around a contact point or a deepest point, and what belongs to its inclination.
  */
 
 /* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's

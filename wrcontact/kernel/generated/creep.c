@@ -1511,8 +1511,8 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
  *
  *     n = c g / sqrt(|c|^2 + 0.05^2 (g^2 - |c|^2))                                                 (M5)
  *
- * Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip which
- * slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+ * Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip
+ * which slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
  *
  * All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
  * of all of them, and compilers do several strips at once.
@@ -2331,7 +2331,7 @@ static inline double polach__largest_shear(array_double_1d work, int64_t patch)
  *
  * for longitudinal creepage; e_j are the strips' edges, y_i their middles.  For lateral creepage and for spin
  * 2/G stands for 2 (1 - nu)/G, and each of the three has its own odd function S, with S(infinity) = 1/2
- * (binding/reach_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
+ * (binding/rolling_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
  *
  *     K1 = f1 G / (2 (1 - nu)) Phi_x^-1 1,   K2 = f2 (G/2) Phi_y^-1 1,   K3 = f3 (G/2) (Phi_s^-1 a) / a   (K3)
  *

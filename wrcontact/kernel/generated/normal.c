@@ -562,7 +562,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
  * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
- * (kernel/binding/hertz_table.py).
+ * (kernel/binding/fixed_tables.py).
  *
  * ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
  *

@@ -1293,7 +1293,7 @@ static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64
     return first + INT64_C(3) * size;
 }
 
-/* The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them. */
+/* The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them. */
 static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
     int64_t size;
@@ -1458,7 +1458,7 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
 }
 
 /* Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
- * depend on the profiles (tables.py); the workspace holds both definitions and as much again as the
+ * depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
  * tables.
  */
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report)

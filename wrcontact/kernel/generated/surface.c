@@ -584,11 +584,8 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
 
 /* ---- From surface/tables.py; change that one.
  *
- * Where a value lies in a table with even steps.
- *
- * A function read from a table of cubics over even cells (the record CubicTable).
- *
- * Heights, slopes and bends of a profile, from its table of quintic pieces (the record Profile).
+ * What is read from tables: a function from cubics over even cells (the record CubicTable); heights, slopes and
+ * bends of a profile from its quintic pieces (the record Profile).
  *
  * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the
  * table is read.

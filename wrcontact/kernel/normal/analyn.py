@@ -1,8 +1,5 @@
-"""How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
-(8.4)).
-
-ANALYN on the nodes of up to three regions: from local penetrations
-to loads, and from a force to penetrations.
+"""ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+force to penetrations.
 
 Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
 
@@ -13,7 +10,7 @@ Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip a
 
 Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
 minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
-analyn.py, docs/method.md).  Where regions have planes of their own (:mod:`frame`), the penetration
+docs/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
 counts by its share along each normal, and a displacement by the cosine of the angle between the two.
 """
 

@@ -1,4 +1,4 @@
-"""Hertz's coefficients and closed-form contact, through a table of exact values.
+"""Hertz's coefficients and closed-form contact, through a table of exact values, and ANALYN's at nodes.
 
 With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
 sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
@@ -11,13 +11,12 @@ so that the three combinations ANALYN needs are functions of ln(B/A) alone:
     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
 
 and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
-(kernel/binding/hertz_table.py).
+(kernel/binding/fixed_tables.py).
 
-ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
-
-Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
-w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
-behind.  With B_t and B_s these two,
+ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
+Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
+blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t
+and B_s these two,
 
     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
 

@@ -3,8 +3,7 @@
 Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
 interpenetration. So a result depends on the pose alone and is smooth in it.
 
-Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
-strips are loaded.
+They reach as far as the gap says that strips are loaded.
 """
 
 from math import log, sqrt

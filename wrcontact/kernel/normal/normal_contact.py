@@ -1,8 +1,8 @@
-"""Hertz's contact of one side in closed form: one elliptic patch with the curvatures at the contact point.
-
-The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
+"""The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
 
 A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+
+Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
 """
 
 from math import isfinite, pi, sqrt

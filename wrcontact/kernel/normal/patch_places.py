@@ -1,9 +1,7 @@
-"""The direction along which the force of a region acts, where that is the mean of the rail's normals.
-
-Where the loads of patches act, and along which direction.
+"""Where the loads of patches act, and along which direction.
 
 The rail pushes the wheel along the normal (0, -sin(angle), -cos(angle)): the rail's normal where the load
-acts, or the mean over a region where that is known (patch_places.py).  A patch that reaches over the bound
+acts, or the mean over a region where that is known (``mean_normal``).  A patch that reaches over the bound
 between two regions has two normals and two places, one for each.
 """
 

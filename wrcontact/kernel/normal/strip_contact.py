@@ -1,6 +1,4 @@
-"""Where wheel and rail overlap as they are laid: there the first strips lie.
-
-The strip model: strips of the rail that press on each other through the elastic half-space
+"""The strip model: strips of the rail that press on each other through the elastic half-space
 (docs/method.md, section 9).
 
 Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
@@ -8,14 +6,14 @@ pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One
 
 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
-   (strip_influence),
+   (strip_pressures),
 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
 
 is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
 found.
 
-The contact of one side by strips (docs/method.md, section 9).
+The first strips lie where wheel and rail overlap as they are laid.
 """
 
 from math import isfinite, sqrt

@@ -1,9 +1,7 @@
-"""Edges of the patches that loaded strips form.
+"""From corrected strips to patches: each run of loaded strips that touch each other is a patch.
 
 Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
 straight line through the line loads of the last two strips ends.
-
-From corrected strips to patches: each run of loaded strips that touch each other is a patch.
 """
 
 from math import atan, pi, sqrt

@@ -1,12 +1,10 @@
-"""Linear equations with two right-hand sides.
-
-How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4).
-
-Pressures of the strips: no strip pulls, none without load penetrates, and together they carry the force;
+"""Pressures of the strips: no strip pulls, none without load penetrates, and together they carry the force;
 eq. (S5).
 
 A linear complementarity problem: elimination for the strips that are taken as loaded, then an exchange of
 those that pull or penetrate, until none does.
+
+Strips displace each other by Phi of eq. (S2), with the mean over the width close by, eq. (S4).
 """
 
 from math import fabs, pi, sqrt

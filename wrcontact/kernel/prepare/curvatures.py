@@ -4,9 +4,8 @@ Curvatures here are d(angle)/d(arc length) with z down, positive where the profi
 table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
 other one on a wheel. The table is the record CurvatureTable.
 
-Tables of the rail's arc length over its abscissa, and of the abscissa over the arc length.
-
-Cubics of Hermite over even cells: value and slope at the ends of a cell are exact.
+The rail's arc length is tabled over its abscissa, and the abscissa over the arc length.  Cubics of Hermite
+over even cells: value and slope at the ends of a cell are exact.
 """
 
 from math import atan2, ceil, fabs, sqrt

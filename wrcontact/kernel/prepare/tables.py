@@ -1,15 +1,14 @@
-"""Tables that do not depend on the profiles, from the array ``fixed`` (binding/fixed_tables.py).
-
-It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's
-ratios (binding/rolling_table.py).  The tables follow one after the other.
-
-The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
+"""The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
 and the native FMU do at the start, outside the hot unit.
 
 The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
 other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
 of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
 (``write_methods``).
+
+Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
+with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
+(binding/rolling_table.py).  The tables follow one after the other.
 """
 
 from math import atan
@@ -109,7 +108,7 @@ def write_shapes(table: RollingTable, fixed: 'float[:]', first: int, poisson_rat
 
 
 def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
-    """The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them."""
+    """The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them."""
     size = REACH_ROW * (REACH_CELLS + 1)
     for i in range(size):
         weight = poisson_ratio
@@ -218,7 +217,7 @@ def append_starts(tables: Tables, at: int):
 def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', fixed: 'float[:]',
             tables: Tables, work: 'float[:]', report: 'float[:]'):
     """Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
-    depend on the profiles (tables.py); the workspace holds both definitions and as much again as the
+    depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
     tables."""
     for i in range(SETTING_COUNT):
         tables[i] = 0.0

@@ -5,9 +5,8 @@ A definition is one array: how many zones, the length of their rows, then the ro
 wrcontact/profiles/zones.py has the same zones as objects, and
 wrcontact/profiles/definition.py turns one into the other.
 
-The rail on the track, and the part of a wheel that can be read.
-
-A definition (zones.py) is turned and shifted into another one, in millimetres.
+The rail on the track, and the part of a wheel that can be read, are definitions that are turned, shifted and
+cut from these.
 """
 
 from math import atan, cos, fabs, sin, sqrt

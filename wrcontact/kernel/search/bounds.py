@@ -1,11 +1,11 @@
-"""The wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
-
-How far the gap can fall: bounds of its second derivative between nodes of the raster.
+"""How far the gap can fall: bounds of its second derivative between nodes of the raster.
 
 Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for
 its share, and the gap changes by that slope times the outline's stretch 1 +- w. Both second derivatives are
 bounded in the tables over stretches of 2^k cells. The shares are compared with dense sampling in
 tests/search/test_rigid.py.
+
+The raster is the wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
 """
 
 from math import fabs

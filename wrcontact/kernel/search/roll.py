@@ -1,9 +1,4 @@
-"""Where the roll search starts without a near pose before: contacts without yaw,
-known for a row of lateral shifts.
-
-A start sets the cost and never the answer, which is certified.
-
-The roll of the wheelset: the angle at which both wheels have the same smallest gap.
+"""The roll of the wheelset: the angle at which both wheels have the same smallest gap.
 
 D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg
 for 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail. Where it
@@ -12,6 +7,9 @@ has several roots, first_root.py decides which is the roll.
 Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
 one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
 smaller minima take over, within a bracket that every search narrows.
+
+Without a near pose before, the search starts from contacts without yaw, which are known for a row of lateral
+shifts.  A start sets the cost and never the answer, which is certified.
 """
 
 from math import fabs

@@ -1,12 +1,5 @@
-"""Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
-
-A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
-chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
-they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
-also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
-
-Walk over the raster of the wheel from a node outwards, and search the cells that
-may hold a minimum of the gap.
+"""Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the
+gap.
 
 Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
 interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
@@ -15,6 +8,12 @@ is searched. One walk serves two questions: the smallest gap (``listing`` = 0) a
 
 The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
 nodes, does not look between them, and ends at the first node beside the rail.
+
+Local minima are sought inside one cell of the raster, or inside the part of it that is above the rail.
+A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
 """
 
 from math import fabs

@@ -1,7 +1,5 @@
-"""Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
-them.
-
-Curvature of the wheel along the track.
+"""Curvatures of wheel and rail: across the track as prepared once (prepare/curvatures.py) and read off along
+the profiles, and that of the wheel along the track.
 """
 
 from math import sqrt

@@ -1,8 +1,5 @@
-"""Rules for the iterations of the room contact (wheelset_rules.py has the method): widths of
-zones, points a given way along a curve, overlaps.
-
-Rules for the iterations of the room normal (wheelset_rules.py has the method): penetrations of
-regions that share a load.
+"""Rules for the iterations of the rooms contact and normal (wheelset_rules.py has the method): widths of
+zones, points a given way along a curve, overlaps, penetrations of regions that share a load.
 """
 
 from math import fabs, sqrt

@@ -7,9 +7,10 @@ the result solves gives its rate. From r(x, p) = 0 follows
     dx = -(dr/dp dp) / (dr/dx)
 
 Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
-gives the result the rate that follows. Values stay as they are. contact_rules.py and contact_rules.py have the
-rules of their rooms, this file the wheelset and the whole step, ``differentiate``. The files are inputs of
-``tools/tangent`` and are not translated themselves; intrinsics.py has the words in which they speak of rates.
+gives the result the rate that follows. Values stay as they are. contact_rules.py has the rules of
+the rooms contact and normal, this file the wheelset and the whole step, ``differentiate``. The files are
+inputs of ``tools/tangent`` and are not translated themselves; intrinsics.py has the words in which they speak
+of rates.
 """
 
 from math import cos, fabs, sin

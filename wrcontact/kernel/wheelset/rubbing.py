@@ -1,4 +1,5 @@
-"""The motion of a wheelset whose contact is solved: its velocities, and the creepages of its patches.
+"""The rolling of a wheelset whose contact is solved: its velocities, the creepages of its patches, then for
+each patch its friction and the tangential model.
 
 Shear and slip over the outline of a wheel, for models of wear.
 
@@ -9,9 +10,6 @@ Of a strip with the creep force F_i and the power P_i per width and the half-len
 so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
 edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
 middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
-
-Creep forces of the patches of a wheelset whose creepages are known: for each patch its friction, then the
-tangential model.
 """
 
 from math import sqrt

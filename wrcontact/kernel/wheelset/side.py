@@ -1,7 +1,6 @@
-"""The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
-curvatures.
+"""One side of a wheelset, from where its wheel is to its patches.
 
-One side of a wheelset, from where its wheel is to its patches.
+Its contact is described by where it is on wheel, rail and track, its angle, radius and curvatures.
 """
 
 from math import atan, fabs, isfinite
