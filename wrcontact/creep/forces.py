@@ -86,7 +86,7 @@ def roll(patch, tables, workspace):
     write_patch(patch, work.patch, work.contact.strips)
     kernel = default_kernel()
     kernel.cut_patch(workspace)
-    kernel.solve_tangential(tables, workspace)
+    kernel.solve_creep_force(tables, workspace)
 
 
 def write_patch(patch, written, strips):

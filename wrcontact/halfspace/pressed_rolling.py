@@ -85,7 +85,7 @@ class KernelRolling:
     def __call__(self, side, index, patch, motion):
         work = layout.Work.at(self._workspace)
         work.patch = patch
-        default_kernel().solve_tangential(self._sides[index], self._workspace)
+        default_kernel().solve_creep_force(self._sides[index], self._workspace)
         ctypes.pointer(patch)[0] = work.patch
 
 

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parents[1]
 #: The rooms of the kernel, from upstream to downstream; a module imports from its own room
 #: and from those before it.
 ROOMS = ("layout", "surface", "search", "contact", "patch", "normal", "creep",
-         "wheelset", "prepare", "tangent")
+         "wheelset", "prepare", "derivative")
 HANDLE_VERSION = 7      # raise when the functions or the handle in native/*.h change
 
 

@@ -10,7 +10,7 @@ from .friction import keep_dissipating
 from .polach import solve_polach
 
 
-def solve_tangential(tables: Tables, rolling: Rolling, patch: Patch):
+def solve_creep_force(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch that rolls, into its record.
 
     All are zero where nothing presses or nothing rubs.  A patch that rolls backwards is solved as its mirror

@@ -11,16 +11,15 @@
  * ``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
  * the origin of the region.
  *
- * Arc lengths of the curves across the track, in two ways for two purposes.
+ * Arc lengths of the curves are found in two ways, for two purposes.
  *
  * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
  *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
  * a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
  *           suitable for them that is smooth, the same at every use, and cheap.
  *
- * Moves along the two curves of :mod:`curves`: by arc length, by chords, or to a lateral coordinate.
- *
- * A move leaves the new abscissa in the frame's trace, and returns whether the curve reaches that far.
+ * Moves along the curves are by arc length, by chords, or to a lateral coordinate.  A move leaves the new
+ * abscissa in the frame's trace, and returns whether the curve reaches that far.
  */
 
 /* The profile of a curve. */
@@ -419,8 +418,8 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1
  *
  * The list of deepest points of the overlap, in the order of the rail, with the saddles between them.
  *
- * Deepest points that are followed from one trial of an elastic wheelset to the next, which stands a few
- * micrometres away: a search for them costs as much as the rest of a trial.
+ * They are followed from one trial of an elastic wheelset to the next, which stands a few micrometres away: a
+ * search for them costs as much as the rest of a trial.
  */
 
 /* Write ``point`` to ``copy``. */
@@ -698,8 +697,8 @@ static inline int64_t deep_points__follow_saddle(array_double_1d work, array_dou
 
 /* ---- From contact/frame.py; change that one.
  *
- * The frame of a contact: its plane, the gap of wheel and rail along the plane's normal, and the region around
- * its contact point or deepest point.
+ * The frame of a contact: its plane, the gap of wheel and rail along the plane's normal, and the region
+ * around its contact point or deepest point.
  *
  * Frames are set aside where a wheel is pressed: every region beside the contact point's has its own, at its
  * deepest point.
@@ -1584,11 +1583,9 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_do
  * not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
  * stations begin.
  *
- * Pairs of points of wheel and rail with a common normal: where the overlap of a pressed wheel is largest, or
- * smallest between two largest ones.
- *
- * They are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In a
- * pair the outline and the rail have one slope m and the line between both points is normal to them,
+ * Where the overlap is largest, or smallest between two largest ones, a pair of points has a common normal.
+ * Such pairs are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In
+ * a pair the outline and the rail have one slope m and the line between both points is normal to them,
  *
  *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,
  *     depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
@@ -2513,9 +2510,8 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
 
 /* ---- From contact/widths.py; change that one.
  *
- * How far the interpenetration of a region reaches to either side.
- *
- * How wide the interpenetration of a region is, and the lateral curvatures that follow from it.
+ * How far the interpenetration of a region reaches to either side, and the lateral curvatures that follow
+ * from its width.
  */
 
 /* Distance [m] from the region's minimum to its bound in ``direction`` (1.0 or -1.0). */

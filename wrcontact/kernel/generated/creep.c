@@ -175,10 +175,20 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
 
 /* ---- From creep/coupled_strips.py; change that one.
  *
- * Where a strip sticks: strip theory with a bound, made continuous.
+ * Coupled strips: creep force of any patch, strip by strip.
  *
- * In units of the bound's rate m the creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and
- * k = -K3 phi / m.  The strip sticks from -a + 2 d to its leading edge a, with the traction
+ * Each strip has its stick zone and its slip zone (march.py), with the stiffness that it has beside the others
+ * on one half-space (stiffness.py).  What an ellipse with the patch's area and length over width is known to
+ * differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
+ *
+ *     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
+ *     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
+ *
+ * in which the second root of eq. (Z1) is integrated exactly.
+ *
+ * Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
+ * creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
+ * 2 d to its leading edge a, with the traction
  *
  *     p = m (e sqrt(a^2 - x^2) - (e - (0, k)) sqrt((a - d)^2 - (x - d)^2))                         (Z1)
  *     e = (u, v + k d) / d,   d^2 (1 - k^2) - 2 v k d - (U + v^2) = 0,   U = u^2 + s^2             (Z2)
@@ -199,17 +209,6 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  *     c = S(D/v^2) (1 - S(q - 1)) S((1 - d/a) / 0.1)                                               (Z5)
  *
  * of which the first two count only for k^2 > 1, the first only for v k < 0.
- *
- * Coupled strips: creep force of any patch, strip by strip.
- *
- * Each strip has its stick zone (coupled_strips.py) and its slip zone (march.py), with the stiffness that it
- * has beside the others on one half-space (stiffness.py).  What an ellipse with the patch's area and length over
- * width is known to differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
- *
- *     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
- *     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
- *
- * in which the second root of eq. (Z1) is integrated exactly.
  */
 
 /* Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
@@ -495,7 +494,7 @@ static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64
  * All are zero where nothing presses or nothing rubs.  A patch that rolls backwards is solved as its mirror
  * image that rolls forwards.
  */
-static inline int64_t creep_force__solve_tangential(array_double_1d work, array_double_1d tables, int64_t patch)
+static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch)
 {
     cut__clear_creep(work, patch);
     if (((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) > 0.0))
@@ -573,8 +572,6 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
- *
- * How fast a wheel and its rail approach each other.
  */
 
 /* Rolling speed and creepages of a patch; those of a patch that stands still are zero. */
@@ -1512,7 +1509,8 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
  *     n = c g / sqrt(|c|^2 + 0.05^2 (g^2 - |c|^2))                                                 (M5)
  *
  * Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip
- * which slips all over.  The first point behind the stick zone takes over in proportion to the way from its edge.
+ * which slips all over.  The first point behind the stick zone takes over in proportion to the way from its
+ * edge.
  *
  * All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
  * of all of them, and compilers do several strips at once.
@@ -1968,10 +1966,9 @@ static inline double march__sqrt_of(double value)
  * Velocities are those in the track frame, whose origin runs along the track with the speed.  In a curve the
  * frame turns in space, and the rails stand still there.  The left side is mirrored.
  *
- * Vertical velocity and roll rate of a wheelset that stays on both rails.
- *
- * A wheel that stays in contact moves along the plane of the contact: the velocity of its surface against the
- * rail has no part along the normal n.  With the velocity v of the wheelset's centre and its rotation W this is
+ * Vertical velocity and roll rate may follow from contact with both rails.  A wheel that stays in contact moves
+ * along the plane of the contact: the velocity of its surface against the rail has no part along the normal n.
+ * With the velocity v of the wheelset's centre and its rotation W this is
  *
  *     n . v + ((P - C) x n) . W = the same for the rail
  *
@@ -2629,9 +2626,8 @@ static inline int64_t stiffness__stiffnesses_at(double* along, double* across, d
 
 /* ---- From creep/tractions.py; change that one.
  *
- * What depends on the shape of a patch, its length over its width, from the table of rolling.
- *
- * Tractions along a strip: points, bound, and sums.
+ * What the models of creep forces share: Kalker's coefficients by the shape of a patch, its length over its
+ * width, and tractions along a strip: points, bound, and sums.
  *
  * The points x_q = a cos(q pi / (n + 1)), q = 1 ... n, run from the leading edge at a to the trailing one at -a.
  * With the weights a pi / (n + 1) sin(q pi / (n + 1)) the bound m sqrt(a^2 - x^2) is integrated exactly.  m is

@@ -1559,7 +1559,7 @@ static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_d
 
 /* creep/creep_force.py */
 static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
-static inline int64_t creep_force__solve_tangential(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/creepage.py */
 static const double creepage__STANDSTILL = 1e-06;

@@ -4,11 +4,8 @@
 
 /* ---- From normal/analyn.py; change that one.
  *
- * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
- * (8.4)).
- *
- * ANALYN on the nodes of up to three regions: from local penetrations
- * to loads, and from a force to penetrations.
+ * ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+ * force to penetrations.
  *
  * Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
  *
@@ -19,7 +16,7 @@
  *
  * Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
  * minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
- * analyn.py, docs/method.md).  Where regions have planes of their own (:mod:`frame`), the penetration
+ * docs/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
  * counts by its share along each normal, and a displacement by the cosine of the angle between the two.
  */
 
@@ -549,7 +546,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
 
 /* ---- From normal/coefficients.py; change that one.
  *
- * Hertz's coefficients and closed-form contact, through a table of exact values.
+ * Hertz's coefficients and closed-form contact, through a table of exact values, and ANALYN's at nodes.
  *
  * With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
  * sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
@@ -564,11 +561,10 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
  * (kernel/binding/fixed_tables.py).
  *
- * ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
- *
- * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
- * w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
- * behind.  With B_t and B_s these two,
+ * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
+ * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
+ * blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t
+ * and B_s these two,
  *
  *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
  *
@@ -1259,8 +1255,7 @@ static inline double node_patches__peak_square(double before, double square, dou
  * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
  * interpenetration. So a result depends on the pose alone and is smooth in it.
  *
- * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
- * strips are loaded.
+ * They reach as far as the gap says that strips are loaded.
  */
 
 /* Half the width of the window of the lateral curvature, in nodes. */
@@ -1721,11 +1716,11 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
 
 /* ---- From normal/normal_contact.py; change that one.
  *
- * Hertz's contact of one side in closed form: one elliptic patch with the curvatures at the contact point.
- *
  * The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
  *
  * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+ *
+ * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
 
 /* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
@@ -1818,12 +1813,10 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
 
 /* ---- From normal/patch_places.py; change that one.
  *
- * The direction along which the force of a region acts, where that is the mean of the rail's normals.
- *
  * Where the loads of patches act, and along which direction.
  *
  * The rail pushes the wheel along the normal (0, -sin(angle), -cos(angle)): the rail's normal where the load
- * acts, or the mean over a region where that is known (patch_places.py).  A patch that reaches over the bound
+ * acts, or the mean over a region where that is known (``mean_normal``).  A patch that reaches over the bound
  * between two regions has two normals and two places, one for each.
  */
 
@@ -2071,8 +2064,6 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
 
 /* ---- From normal/strip_contact.py; change that one.
  *
- * Where wheel and rail overlap as they are laid: there the first strips lie.
- *
  * The strip model: strips of the rail that press on each other through the elastic half-space
  * (docs/method.md, section 9).
  *
@@ -2081,14 +2072,14 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
  *
  * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
  *    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
- *    (strip_influence),
+ *    (strip_pressures),
  * 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
  *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
  *
  * is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
  * found.
  *
- * The contact of one side by strips (docs/method.md, section 9).
+ * The first strips lie where wheel and rail overlap as they are laid.
  */
 
 /* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
@@ -2931,12 +2922,10 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
 
 /* ---- From normal/strip_patches.py; change that one.
  *
- * Edges of the patches that loaded strips form.
+ * From corrected strips to patches: each run of loaded strips that touch each other is a patch.
  *
  * Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
  * straight line through the line loads of the last two strips ends.
- *
- * From corrected strips to patches: each run of loaded strips that touch each other is a patch.
  */
 
 /* Last strip of the run of loaded strips that begins with strip ``first``. */
@@ -3355,15 +3344,13 @@ static inline double strip_patches__largest_square(array_double_1d work, int64_t
 
 /* ---- From normal/strip_pressures.py; change that one.
  *
- * Linear equations with two right-hand sides.
- *
- * How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4).
- *
  * Pressures of the strips: no strip pulls, none without load penetrates, and together they carry the force;
  * eq. (S5).
  *
  * A linear complementarity problem: elimination for the strips that are taken as loaded, then an exchange of
  * those that pull or penetrate, until none does.
+ *
+ * Strips displace each other by Phi of eq. (S2), with the mean over the width close by, eq. (S4).
  */
 
 /* Solve ``size`` equations in place: the two right-hand sides, in the last two columns, become the

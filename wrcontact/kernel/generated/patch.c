@@ -274,13 +274,13 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
 
 /* ---- From patch/outline.py; change that one.
  *
- * Half-length and pressure of a patch between its strips, by the rule of the model that filled it.
- *
  * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
  * to the last.
  *
  * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
  * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
+ *
+ * Half-length and pressure between the strips of a patch follow by the rule of the model that filled it.
  */
 
 /* Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``

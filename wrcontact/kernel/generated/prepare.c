@@ -10,9 +10,8 @@
  * table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
  * other one on a wheel. The table is the record CurvatureTable.
  *
- * Tables of the rail's arc length over its abscissa, and of the abscissa over the arc length.
- *
- * Cubics of Hermite over even cells: value and slope at the ends of a cell are exact.
+ * The rail's arc length is tabled over its abscissa, and the abscissa over the arc length.  Cubics of Hermite
+ * over even cells: value and slope at the ends of a cell are exact.
  */
 
 /* Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
@@ -1198,11 +1197,6 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
 
 /* ---- From prepare/tables.py; change that one.
  *
- * Tables that do not depend on the profiles, from the array ``fixed`` (binding/fixed_tables.py).
- *
- * It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's
- * ratios (binding/rolling_table.py).  The tables follow one after the other.
- *
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
  * and the native FMU do at the start, outside the hot unit.
  *
@@ -1210,6 +1204,10 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
  * other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
  * of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
  * (``write_methods``).
+ *
+ * Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
+ * with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
+ * (binding/rolling_table.py).  The tables follow one after the other.
  */
 
 /* Where table ``index`` begins. */
@@ -1614,9 +1612,8 @@ static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
  * wrcontact/profiles/zones.py has the same zones as objects, and
  * wrcontact/profiles/definition.py turns one into the other.
  *
- * The rail on the track, and the part of a wheel that can be read.
- *
- * A definition (zones.py) is turned and shifted into another one, in millimetres.
+ * The rail on the track, and the part of a wheel that can be read, are definitions that are turned, shifted and
+ * cut from these.
  */
 
 /* Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],

@@ -4,14 +4,14 @@
 
 /* ---- From search/bounds.py; change that one.
  *
- * The wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
- *
  * How far the gap can fall: bounds of its second derivative between nodes of the raster.
  *
  * Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for
  * its share, and the gap changes by that slope times the outline's stretch 1 +- w. Both second derivatives are
  * bounded in the tables over stretches of 2^k cells. The shares are compared with dense sampling in
  * tests/search/test_rigid.py.
+ *
+ * The raster is the wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
  */
 
 /* The node at or below ``y`` [m]; the second last one at most. */
@@ -844,11 +844,6 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
 
 /* ---- From search/roll.py; change that one.
  *
- * Where the roll search starts without a near pose before: contacts without yaw,
- * known for a row of lateral shifts.
- *
- * A start sets the cost and never the answer, which is certified.
- *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *
  * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg
@@ -858,6 +853,9 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
  * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
  * one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
  * smaller minima take over, within a bracket that every search narrows.
+ *
+ * Without a near pose before, the search starts from contacts without yaw, which are known for a row of lateral
+ * shifts.  A start sets the cost and never the answer, which is certified.
  */
 
 /* The row of the table that is nearest to the lateral ``shift`` [m]; -1 if nothing is known there. */
@@ -1384,15 +1382,8 @@ static inline int64_t smallest_gap__list_minima(array_double_1d work, array_doub
 
 /* ---- From search/walk.py; change that one.
  *
- * Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
- *
- * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
- * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
- * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
- * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
- *
- * Walk over the raster of the wheel from a node outwards, and search the cells that
- * may hold a minimum of the gap.
+ * Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the
+ * gap.
  *
  * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
  * interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
@@ -1401,6 +1392,12 @@ static inline int64_t smallest_gap__list_minima(array_double_1d work, array_doub
  *
  * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
  * nodes, does not look between them, and ends at the first node beside the rail.
+ *
+ * Local minima are sought inside one cell of the raster, or inside the part of it that is above the rail.
+ * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+ * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+ * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+ * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
  */
 
 /* Fill in a cell that waits to be searched. */

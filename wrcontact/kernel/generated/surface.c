@@ -4,10 +4,8 @@
 
 /* ---- From surface/curvature.py; change that one.
  *
- * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
- * them.
- *
- * Curvature of the wheel along the track.
+ * Curvatures of wheel and rail: across the track as prepared once (prepare/curvatures.py) and read off along
+ * the profiles, and that of the wheel along the track.
  */
 
 /* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
@@ -584,8 +582,8 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
 
 /* ---- From surface/tables.py; change that one.
  *
- * What is read from tables: a function from cubics over even cells (the record CubicTable); heights, slopes and
- * bends of a profile from its quintic pieces (the record Profile).
+ * What is read from tables: a function from cubics over even cells (the record CubicTable); heights, slopes
+ * and bends of a profile from its quintic pieces (the record Profile).
  *
  * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the
  * table is read.

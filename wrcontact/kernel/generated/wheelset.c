@@ -1703,7 +1703,8 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
 
 /* ---- From wheelset/rubbing.py; change that one.
  *
- * The motion of a wheelset whose contact is solved: its velocities, and the creepages of its patches.
+ * The rolling of a wheelset whose contact is solved: its velocities, the creepages of its patches, then for
+ * each patch its friction and the tangential model.
  *
  * Shear and slip over the outline of a wheel, for models of wear.
  *
@@ -1714,9 +1715,6 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
  * so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
  * edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
  * middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
- *
- * Creep forces of the patches of a wheelset whose creepages are known: for each patch its friction, then the
- * tangential model.
  */
 
 /* The motion as the inputs give it, at the wheelset's pose. */
@@ -1937,7 +1935,7 @@ static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d 
         if ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL)
         {
             factor = rubbing__open_rolling(work, tables, patch, friction);
-            creep_force__solve_tangential(work, tables, patch);
+            creep_force__solve_creep_force(work, tables, patch);
             rubbing__close_rolling(work, patch, factor);
         }
     }
@@ -1983,10 +1981,9 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
 
 /* ---- From wheelset/side.py; change that one.
  *
- * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
- * curvatures.
- *
  * One side of a wheelset, from where its wheel is to its patches.
+ *
+ * Its contact is described by where it is on wheel, rail and track, its angle, radius and curvatures.
  */
 
 /* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches

@@ -14,7 +14,7 @@ middles of strips both follow straight lines; a strip that would gain power coun
 
 from math import sqrt
 
-from ..creep.creep_force import solve_tangential
+from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import STANDSTILL, move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
 from ..creep.motion import (constrain_loaded, constrain_touching, open_left_rail, open_motion,
@@ -148,7 +148,7 @@ def rub_side(tables: Tables, work: Work, index: int, friction: float):
         patch = side.patches[number]
         if patch.speed > STANDSTILL:
             factor = open_rolling(tables, work.rolling, patch, friction)
-            solve_tangential(tables, work.rolling, patch)
+            solve_creep_force(tables, work.rolling, patch)
             close_rolling(patch, factor)
     if tables.depth == DEPTH_ALL:
         write_wear(side, tables.stations)

@@ -1,4 +1,4 @@
-"""The tangent of one function, statement by statement."""
+"""The derivative of one function, statement by statement."""
 
 import ast
 
@@ -8,7 +8,7 @@ from .scope import parameters
 
 
 class Differentiated(Expressions):
-    """Writes the tangent of one function."""
+    """Writes the derivative of one function."""
 
     def text(self):
         """The function's text."""
@@ -21,7 +21,7 @@ class Differentiated(Expressions):
         self.block([n for n in self.node.body
                     if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))])
         head = f"def {self.node.name}_t({', '.join(names)}):"
-        text = "\n".join([head, f'    """Tangent of ``{self.node.name}``."""', *self.lines])
+        text = "\n".join([head, f'    """Derivative of ``{self.node.name}``."""', *self.lines])
         return ast.unparse(ast.parse(text))         # in as few parentheses as the meaning needs
 
     def block(self, statements, deeper=0):
@@ -124,7 +124,7 @@ class Differentiated(Expressions):
 
     def call_statement(self, call, targets):
         """A call as a statement of its own, its results into ``targets``."""
-        tangent = self.kernel.called(self.module, call)
+        derivative = self.kernel.called(self.module, call)
         if call.func.id == "differentiated":
             call = call.args[0]
         home = self.kernel.home(self.module, call.func.id)
@@ -133,7 +133,7 @@ class Differentiated(Expressions):
             targets = [ast.Name(self.fresh("n"), ast.Store()) for _ in kinds]
             self.active |= {target.id for target in targets}
         names = [ast.unparse(target) for target in targets]
-        if tangent is None:
+        if derivative is None:
             text = self.value(call, own=True)
             self.write(f"{', '.join(names)} = {text}" if names else text)
             for target, name, kind in zip(targets, names, kinds):
@@ -144,5 +144,5 @@ class Differentiated(Expressions):
                    for text in ([name, name + "_t"] if kind == "float" else [name])]
         if not names and "float" in kinds:
             results = [self.fresh("n"), self.fresh("n")]
-        text = self.tangent_call(call, tangent)
+        text = self.derivative_call(call, derivative)
         self.write(f"{', '.join(results)} = {text}" if results else text)

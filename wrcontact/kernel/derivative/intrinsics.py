@@ -1,7 +1,7 @@
 """What the rules say about rates.
 
-The differentiation (tools/tangent) knows these functions by name and replaces their calls; the bodies say
-what is left where no rates are carried.
+The differentiation (tools/differentiate) knows these functions by name and replaces their calls; the bodies
+say what is left where no rates are carried.
 """
 
 

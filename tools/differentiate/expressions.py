@@ -18,7 +18,7 @@ class Expressions(Scope):
 
     def __init__(self, kernel, module, node):
         super().__init__(kernel, module, node)
-        self.tangents, self.lines, self.depth, self.count = set(), [], 1, 0
+        self.derivatives, self.lines, self.depth, self.count = set(), [], 1, 0
         self.active = {name for name, kind in self.kinds.items() if kind == "float"
                        and name in dict(parameters(node))}
         self.names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} | set(self.kinds)
@@ -65,11 +65,11 @@ class Expressions(Scope):
         name = f"{letter}{self.count}"
         return name if name not in self.names else self.fresh(letter)
 
-    def tangent_call(self, call, tangent):
-        """The text of a tangent's call."""
-        self.tangents.add(tangent)
+    def derivative_call(self, call, derivative):
+        """The text of a derivative's call."""
+        self.derivatives.add(derivative)
         arguments = []
-        for (name, kind), argument in zip(parameters(self.kernel.node(*tangent)), call.args):
+        for (name, kind), argument in zip(parameters(self.kernel.node(*derivative)), call.args):
             if kind == "array":
                 arguments += [argument.id, argument.id + "_t"] if name in ACTIVE_ARRAYS else [argument.id]
             elif kind == "float":
@@ -77,7 +77,7 @@ class Expressions(Scope):
                 arguments += [pair.value, pair.rate or "0.0"]
             else:
                 arguments.append(self.value(argument))
-        return f"{tangent[1]}_t({', '.join(arguments)})"
+        return f"{derivative[1]}_t({', '.join(arguments)})"
 
     def value(self, node, own=False):
         """Text of an expression's value; calls that change something stand before it.
@@ -91,12 +91,12 @@ class Expressions(Scope):
             if home is not None and self.kernel.writes(home, node.func.id):
                 name = self.fresh("n")
                 kinds = self.kernel.returns(home, node.func.id)
-                tangent = self.kernel.differentiated(self.module, node.func.id)
-                if tangent is None:
+                derivative = self.kernel.differentiated(self.module, node.func.id)
+                if derivative is None:
                     self.write(f"{name} = {self.value(node, own=True)}")
                 else:
                     results = f"{name}, {name}_t" if kinds == ("float",) else name
-                    self.write(f"{results} = {self.tangent_call(node, tangent)}")
+                    self.write(f"{results} = {self.derivative_call(node, derivative)}")
                 return name
         if isinstance(node, ast.BoolOp):
             before = len(self.lines)
@@ -192,11 +192,11 @@ class Expressions(Scope):
             return Pair(self.value(node.args[0]), self.value(node.args[1]))
         if name == "rate_of":
             return Pair(self.pair(node.args[0]).rate or "0.0", None)
-        tangent = self.kernel.called(self.module, node)
-        if tangent:
+        derivative = self.kernel.called(self.module, node)
+        if derivative:
             result = self.fresh("v")
             call = node.args[0] if name == "differentiated" else node
-            self.write(f"{result}, {result}_t = {self.tangent_call(call, tangent)}")
+            self.write(f"{result}, {result}_t = {self.derivative_call(call, derivative)}")
             return Pair(result, result + "_t")
         if name == "atan2":
             up, along = self.atom(node.args[0]), self.atom(node.args[1])

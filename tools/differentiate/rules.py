@@ -13,7 +13,7 @@ SEARCHES = {"list_minima"}
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.
 RATE_SOLVER = "eliminate"
-#: The modules of the room kernel/tangent, which are differentiated and not translated themselves.
+#: The modules of the room kernel/derivative, which are differentiated and not translated themselves.
 RULE_MODULES = ("contact_rules", "intrinsics", "wheelset_rules")
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}

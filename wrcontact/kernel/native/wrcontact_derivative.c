@@ -1,7 +1,7 @@
 /* The third translation unit: the differentiated kernel.  It stands apart so that the compiler spends nothing on it that it
  * would take from the steps.
  */
-#include "wrcontact_tangent.h"
+#include "wrcontact_derivative.h"
 
 #include <string.h>
 
@@ -9,9 +9,9 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-but-set-variable"
 #endif
-#include "../generated/tangent_unit.c"
+#include "../generated/derivative_unit.c"
 
-int64_t wrcontact_tangent_room(void)
+int64_t wrcontact_derivative_room(void)
 {
     return layout__STATE_SIZE + 2 * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
         + 2 * layout__RUN_COUNT * layout__STATION_LIMIT;
@@ -56,7 +56,7 @@ static bool all_finite(const double *values, int64_t count)
     return true;
 }
 
-int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
+int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
 {
     const array_double_1d work = span_of(room, layout__WORK_SIZE);
     const array_double_1d work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
@@ -75,7 +75,7 @@ int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double
     {
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        const bool reported = tangent_wheelset_rules__differentiate_t(handle->left_tables, handle->right_tables, work, work_t,
+        const bool reported = derivative_wheelset_rules__differentiate_t(handle->left_tables, handle->right_tables, work, work_t,
                                                                       state) == 0;
         memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
         if (!reported || !all_finite(rates, outputs.shape[0]))

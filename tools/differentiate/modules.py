@@ -8,16 +8,16 @@ from .scope import Scope, parameters
 from .statements import Differentiated
 
 
-def tangent_modules(modules):
+def derivative_modules(modules):
     """Text of every differentiated module by name, from the kernel's parsed modules."""
     kernel = Kernel(modules)
     kernel.reach(kernel.rule_homes[ROOT], ROOT)
-    texts = {"tangent_rates": HELPERS}
+    texts = {"derivative_rates": HELPERS}
     for place in kernel.modules:
         functions = [(module.name, name) for module in modules for name in module.functions
                      if (module.name, name) in kernel.wanted and kernel.place(module.name, name) == place]
         if functions:
-            texts[f"tangent_{place}"] = kernel.module_text(place, functions)
+            texts[f"derivative_{place}"] = kernel.module_text(place, functions)
     return texts
 
 
@@ -89,7 +89,7 @@ class Kernel:
         return follows and (returns or self.writes(module, name) and bool(ACTIVE_ARRAYS & set(arrays)))
 
     def differentiated(self, module, name):
-        """(module, function) whose tangent a call of ``name`` in ``module`` stands for; None where
+        """(module, function) whose derivative a call of ``name`` in ``module`` stands for; None where
         the call stays as it is."""
         home = self.home(module, name)
         if (home is None or name in INTRINSICS or name in SEARCHES or module in RULE_MODULES
@@ -100,7 +100,7 @@ class Kernel:
         return (home, name) if self.is_active(home, name) else None
 
     def reach(self, module, name):
-        """Note a function as wanted, with all whose tangents it calls."""
+        """Note a function as wanted, with all whose derivatives it calls."""
         if (module, name) in self.wanted:
             return
         self.wanted.add((module, name))
@@ -117,7 +117,7 @@ class Kernel:
         return self.differentiated(module, call.func.id)
 
     def place(self, module, name):
-        """The module beside whose tangents that of a function stands: a rule beside
+        """The module beside whose derivatives that of a function stands: a rule beside
         what it is the rule of."""
         replaced = {**{rule: function for function, rule in RULES.items()}, **PARTS}
         if module in RULE_MODULES and name in replaced:
@@ -136,7 +136,7 @@ class Kernel:
             for home, offered in [*module.imports.items(),
                                   (module.name, {*module.constants, *module.functions})]:
                 imported.setdefault(home, set()).update(names & set(offered))
-        lines = [f'"""Tangents of {place}.py."""', ""]
+        lines = [f'"""Derivatives of {place}.py."""', ""]
         mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "exp", "fabs", "isfinite", "log",
                                      "pi", "sin", "sqrt"})
         if mathematics:
@@ -145,12 +145,12 @@ class Kernel:
                   for home, names in sorted(imported.items()) if names]
         rates = sorted(used & {"root_rate", "size_rate", "power_rate"})
         if rates:
-            lines.append(f"from .tangent_rates import {', '.join(rates)}")
+            lines.append(f"from .derivative_rates import {', '.join(rates)}")
         calls = {}
         for body in bodies:
-            for home, name in body.tangents:
+            for home, name in body.derivatives:
                 if self.place(home, name) != place:
                     calls.setdefault(self.place(home, name), set()).add(name + "_t")
-        lines += [f"from .tangent_{home} import {', '.join(sorted(names))}"
+        lines += [f"from .derivative_{home} import {', '.join(sorted(names))}"
                   for home, names in sorted(calls.items())]
         return "\n".join(lines) + "\n\n\n" + "\n\n\n".join(texts) + "\n"

@@ -26,7 +26,7 @@ from tests.helpers.derivatives import (
 )
 from tests.helpers.inside import rates_along, workspace_of
 from tests.helpers.mirror import side_signs
-from tools.tangent import tangent_modules
+from tools.differentiate import derivative_modules
 from tools.transpile_kernel import source_modules
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
@@ -267,7 +267,7 @@ def differentiated(tmp_path_factory):
     modules = source_modules()
     for module in modules:
         Path(folder, f"{module.name}.py").write_bytes(module.text)
-    for name, text in tangent_modules(modules).items():
+    for name, text in derivative_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
     yield [importlib.import_module(f"differentiated_kernel.{name}")
@@ -279,7 +279,7 @@ def differentiated(tmp_path_factory):
 @pytest.mark.parametrize("case", ["hertz", "analyn", "strip", "elastic hertz", "compliant", "equidistant"])
 def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, case):
     parameters, _ = CASES[case]
-    tangents, step = differentiated
+    derivatives, step = differentiated
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     for row in poses(2, seed=2, mode=parameters.get("contact_mode", "rigid")):
         for number in (IN_YAW, IN_NORMAL_FORCE):
@@ -289,5 +289,5 @@ def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, c
             assert step.step(tables, tables, state, work, row.tolist(), outputs) <= layout.UNLOADED
             work_t = [0.0] * layout.WORK_SIZE
             work_t[layout.WORK_INPUTS + number] = 1.0
-            assert tangents.differentiate_t(tables, tables, work, work_t, state) == 0
+            assert derivatives.differentiate_t(tables, tables, work, work_t, state) == 0
             assert np.array_equal(rates, work_t[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + OUTPUT_COUNT])

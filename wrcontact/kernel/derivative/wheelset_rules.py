@@ -1,7 +1,7 @@
 """How a step's results follow its inputs: what is found by iteration, differentiated implicitly.
 
-``tools/tangent`` differentiates the kernel along a seed of its inputs, statement by statement. That does not
-work for a search or an iteration: its steps do not follow the inputs as its result does. The equation that
+``tools/differentiate`` differentiates the kernel along a seed of its inputs, statement by statement. That does
+not work for a search or an iteration: its steps do not follow the inputs as its result does. The equation that
 the result solves gives its rate. From r(x, p) = 0 follows
 
     dx = -(dr/dp dp) / (dr/dx)
@@ -9,8 +9,8 @@ the result solves gives its rate. From r(x, p) = 0 follows
 Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
 gives the result the rate that follows. Values stay as they are. contact_rules.py has the rules of
 the rooms contact and normal, this file the wheelset and the whole step, ``differentiate``. The files are
-inputs of ``tools/tangent`` and are not translated themselves; intrinsics.py has the words in which they speak
-of rates.
+inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
+they speak of rates.
 """
 
 from math import cos, fabs, sin

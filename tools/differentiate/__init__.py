@@ -8,7 +8,7 @@ the seed. Values are computed as they were, operation by operation, so that they
 and every branch is the one that a step takes.
 
 Tables are constant, and so is ``state``, which never changes an answer. Searches and iterations are
-not differentiated; what they find is, by the rules in wrcontact/kernel/tangent: RULES (rules.py) says
+not differentiated; what they find is, by the rules in wrcontact/kernel/derivative: RULES (rules.py) says
 which function is the rule of which, and there
 
     held(x)                   x as a constant
@@ -21,7 +21,7 @@ and a plain call of a function that has a rule is the kernel's own: whatever it 
 until the rule gives it one.
 """
 
-from .modules import tangent_modules
+from .modules import derivative_modules
 from .rules import RULE_MODULES
 
-__all__ = ["RULE_MODULES", "tangent_modules"]
+__all__ = ["RULE_MODULES", "derivative_modules"]
