@@ -1,8 +1,8 @@
 """How a step's results follow its inputs: what is found by iteration, differentiated implicitly.
 
-``tools/differentiate`` differentiates the kernel along a seed of its inputs, statement by statement. That does
-not work for a search or an iteration: its steps do not follow the inputs as its result does. The equation that
-the result solves gives its rate. From r(x, p) = 0 follows
+``tools/differentiate`` differentiates the kernel along a seed of its inputs, statement by statement. That
+does not work for a search or an iteration: its steps do not follow the inputs as its result does. The
+equation that the result solves gives its rate. From r(x, p) = 0 follows
 
     dx = -(dr/dp dp) / (dr/dx)
 
