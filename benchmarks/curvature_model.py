@@ -16,7 +16,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
 from data import halfspace_reference
-from wrcontact.kernel.binding.hertz_table import coefficients
+from wrcontact.kernel.binding.fixed_tables import coefficients
 
 MODULUS = halfspace_reference.CONTACT_MODULUS  # E* [Pa]
 FLOOR = 0.02  # smallest B as a share of A

@@ -1,6 +1,6 @@
 """Times beside those of the models: of what can be skipped, with the number of wheelsets and of threads, with
 the number of stations, of elastic wheelsets, and of derivatives; the work of a step, counted by the kernel
-itself (the record State in wrcontact/kernel/layout/wheelset.py); and the trajectory that the speed is judged
+itself (the record State in wrcontact/kernel/layout/arrays.py); and the trajectory that the speed is judged
 by: a wheelset that hunts from flange to flange, with a faster motion on top and a load that changes.
 
     python -m benchmarks trajectory
@@ -205,7 +205,7 @@ def derivatives(options):
         for row in inputs:
             stepper.inputs[:] = row
             stepper.step()
-            stepper._bound.tangent(along)
+            stepper._bound.derivative(along)
 
     return work
 
