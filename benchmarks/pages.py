@@ -32,7 +32,8 @@ def written(table, parts):
     chosen = {name: parts[name] for name in table.parts}
     sources = {BENCHMARKS: provenance(chosen), README: ""}
     below = sources.get(table.page, MACHINE if any("machine" in part for part in chosen.values()) else "")
-    return "\n".join([table.text(chosen), "", *filter(None, [table.note, below])])
+    words = "\n".join(filter(None, [table.note, below]))
+    return "\n\n".join(filter(None, [table.text(chosen), words]))
 
 
 def provenance(parts):
