@@ -186,6 +186,22 @@ def test_pieces_are_those_of_the_exact_profiles(prepared):
     check_pieces(rail, placed.profile)
 
 
+@pytest.mark.parametrize("inclination", [0.0, 1 / 40, 0.1])
+def test_profiles_are_read_up_to_80_degrees(inclination):
+    """Both sides of the head and the back of the flange; the wheel's field side is less steep."""
+    wheel, rail, _ = wrcontact.ContactSystem(rail_inclination=inclination).profile_tables()
+    for table, wanted in ((rail, (-80.0, 80.0)), (wheel, (80.0, -np.degrees(np.arctan(1 / 15))))):
+        head = layout.Profile.at(table)
+        steepness = np.degrees(np.arctan(evaluate_table(table, [head.start, head.stop])[1]))
+        np.testing.assert_allclose(steepness, wanted, atol=1e-6)
+
+
+def test_pieces_are_few():
+    """As many as it takes to keep to S1002 and UIC60, counted once."""
+    tables = wrcontact.ContactSystem().profile_tables()[:2]
+    assert [len(table_pieces(table)) - 1 for table in tables] == [323, 259]
+
+
 # --- the search's raster --------------------------------------------------------------------------
 
 
