@@ -14,17 +14,19 @@ def assemble(kernel, modules, raw):
     plain, tangents = ([module for module in modules if module.tangent == kind] for kind in (False, True))
     constants = constant_values(kernel, plain)
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
-    files = {"kernel.h": header("Constants and functions of the kernel", plain, raw, constants, "spans.h"),
-             "tangents.h": header("Functions of the differentiated kernel", tangents, raw, constants, "")}
+    step, prepare = ([module for module in plain if (module.room == "prepare") == kind]
+                     for kind in (False, True))
+    files = {"kernel.h": header("KERNEL", "The kernel's constants and functions", step, raw, constants),
+             "prepare.h": header("PREPARE", "What prepares tables", prepare, raw, constants),
+             "tangents.h": header("TANGENTS", "The differentiated kernel's functions", tangents, raw, {})}
     for room in dict.fromkeys(module.room for module in modules if module.functions):
         inside = [module for module in modules if module.room == room and module.functions]
         files[f"{room}.c"] = room_file(room, inside, raw)
     for module in modules:
         refuse_unknown_calls(module, tidy_code(module, raw[module.name][1]), functions)
-    step = [module for module in plain if module.room != "prepare"]
     files["unit.c"] = unit(step, FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
     files["prepare_unit.c"] = part_unit("What prepares the kernel's tables.", plain,
-                                        {module.name for module in plain if module.room == "prepare"})
+                                        {module.name for module in prepare})
     files["tangent_unit.c"] = part_unit("The kernel with a rate beside every value.", modules,
                                         {module.name for module in tangents})
     return files
@@ -44,11 +46,10 @@ def constant_values(kernel, modules):
     return values
 
 
-def header(words, modules, raw, constants, spans):
+def header(name, words, modules, raw, constants):
     """A header with the constants and the prototypes of modules."""
-    guard = f"WRCONTACT_{words.split()[0].upper()}_H"
-    lines = [f"/* {words}. {NOTE}. */", f"#ifndef {guard}", f"#define {guard}", ""]
-    lines += ['#include "../native/spans.h"' if spans else '#include "kernel.h"']
+    lines = [f"/* {words}. {NOTE}. */", f"#ifndef GENERATED_{name}_H", f"#define GENERATED_{name}_H", "",
+             '#include "../native/spans.h"' if name == "KERNEL" else '#include "kernel.h"']
     for module in modules:
         lines += ["", *tidy_header(module, raw[module.name][0], constants.get(module.name, {}))]
     return "\n".join([*lines, "", "#endif", ""])
@@ -56,7 +57,7 @@ def header(words, modules, raw, constants, spans):
 
 def room_file(room, modules, raw):
     """The functions of the modules of a room."""
-    name = "tangents.h" if modules[0].tangent else "kernel.h"
+    name = "tangents.h" if modules[0].tangent else "prepare.h" if room == "prepare" else "kernel.h"
     texts = [f"/* The room {room} of the kernel. {NOTE}. */\n#include \"{name}\"\n"]
     return "\n\n".join([*texts, *(tidy_code(module, raw[module.name][1]) for module in modules)])
 
