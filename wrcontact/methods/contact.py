@@ -150,7 +150,7 @@ class LateralCurvature(Method):
 
 @frozen
 class Adaptive(LateralCurvature):
-    """Averaged over a window in proportion to the patch (wrcontact/kernel/normal/node_coefficients.py)."""
+    """Averaged over a window in proportion to the patch (wrcontact/kernel/normal/coefficients.py)."""
 
     name = "adaptive"
     kernel_number = 0

@@ -46,7 +46,7 @@ class NoTangential(TangentialModel):
 @frozen
 class CoupledStrips(TangentialModel):
     """Coupled strips with a correction from exact solutions of ellipses
-    (wrcontact/kernel/tangential/coupled_strips.py)."""
+    (wrcontact/kernel/creep/coupled_strips.py)."""
 
     name = "strips"
     kernel_number = 1
@@ -55,7 +55,7 @@ class CoupledStrips(TangentialModel):
 
 @frozen
 class Fastsim(TangentialModel):
-    """Kalker's simplified theory (wrcontact/kernel/tangential/fastsim.py)."""
+    """Kalker's simplified theory (wrcontact/kernel/creep/fastsim.py)."""
 
     name = "fastsim"
     kernel_number = 2
@@ -66,7 +66,7 @@ class Fastsim(TangentialModel):
 
 @frozen
 class Fastrip(TangentialModel):
-    """Strip theory joined with FASTSIM (wrcontact/kernel/tangential/fastrip.py)."""
+    """Strip theory joined with FASTSIM (wrcontact/kernel/creep/fastrip.py)."""
 
     name = "fastrip"
     kernel_number = 3
@@ -77,7 +77,7 @@ class Fastrip(TangentialModel):
 
 @frozen
 class Polach(TangentialModel):
-    """Polach's formula for one ellipse (wrcontact/kernel/tangential/polach.py)."""
+    """Polach's formula for one ellipse (wrcontact/kernel/creep/polach.py)."""
 
     name = "polach"
     kernel_number = 4

@@ -2,235 +2,6 @@
 #include "kernel.h"
 
 
-/* ---- From contact/arc_length.py; change that one.
- *
- * Arc lengths of the curves across the track, in two ways for two purposes.
- *
- * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
- *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
- * a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
- *           suitable for them that is smooth, the same at every use, and cheap.
- */
-
-/* Arc length [m] between abscissae within one piece of the profile, by Gauss's
- * formula with six points.
- */
-static OUT_OF_LINE double arc_length__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high)
-{
-    double middle;
-    double half;
-    double total;
-    int64_t i;
-    double side;
-    int64_t k;
-    double away;
-    double weight;
-    middle = 0.5 * (low + high);
-    half = 0.5 * (high - low);
-    total = 0.0;
-    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
-    {
-        side = half * (double)(i);
-        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
-        {
-            away = arc_length__GAUSS_1;
-            weight = arc_length__WEIGHT_1;
-            if (k == INT64_C(1))
-            {
-                away = arc_length__GAUSS_2;
-                weight = arc_length__WEIGHT_2;
-            }
-            if (k == INT64_C(2))
-            {
-                away = arc_length__GAUSS_3;
-                weight = arc_length__WEIGHT_3;
-            }
-            total += weight * curves__curve_speed(work, tables, curve, middle + side * away);
-        }
-    }
-    return half * total;
-}
-
-/* Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where
- * ``stop`` is the smaller one.
- *
- * Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
- */
-static OUT_OF_LINE double arc_length__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop)
-{
-    double low;
-    double high;
-    int64_t piece;
-    double end;
-    double total;
-    low = start;
-    high = stop;
-    if (stop < start)
-    {
-        low = stop;
-        high = start;
-    }
-    total = 0.0;
-    piece = profile_table__find_piece(tables, curves__curve_profile(tables, curve), low);
-    while(low < high)
-    {
-        end = high;
-        piece = piece + layout__PIECE_SIZE;
-        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
-        {
-            end = (*cspan_at(&tables, piece + layout__PIECE_START));
-        }
-        total += arc_length__panel_length(work, tables, curve, low, end);
-        low = end;
-    }
-    if (stop < start)
-    {
-        total = -total;
-    }
-    return total;
-}
-
-/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
-static OUT_OF_LINE double arc_length__rail_length(array_double_1d tables, double start, double stop)
-{
-    double result;
-    result = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop) - cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start);
-    return result;
-}
-
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
- *
- * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
- * leaves rounding.
- */
-static OUT_OF_LINE double arc_length__rail_abscissa(array_double_1d tables, double start, double length)
-{
-    int64_t rail;
-    int64_t arcs;
-    int64_t abscissae;
-    double arc;
-    double found;
-    double speed;
-    double x;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
-    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
-    arc = cubic_table__read_cubic(tables, arcs, start) + length;
-    if (arc < 0.0)
-    {
-        x = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
-    }
-    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
-    {
-        x = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
-    }
-    else
-    {
-        x = cubic_table__read_cubic(tables, abscissae, arc);
-        cubic_table__read_cubic_jet(&found, &speed, tables, arcs, x);
-        x += (arc - found) / speed;
-    }
-    return x;
-}
-
-
-/* ---- From contact/contact_plane.py; change that one.
- *
- * The plane of a contact, and the gap of wheel and rail along its normal.
- */
-
-/* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
- * there.
- *
- * aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
- *
- * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
- * [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
- */
-static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift)
-{
-    double bend;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double outline_rate;
-    double abscissa;
-    double height;
-    double rail_bend;
-    double cosine;
-    double sine;
-    profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, (*z), (*slope), bend);
-    (*y_track) += aside;
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-    cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
-    sine = (*rail_slope) * cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-    traces__start_traces(work, 0.0, abscissa, y);
-    (*mismatch) = (*rail_slope) - outline_slope;
-    if (!(stretch > 0.0))
-    {
-        (*mismatch) = gap__FOLDED;
-    }
-    return 0;
-}
-
-/* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
- * [m].
- *
- * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
- */
-static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
-{
-    double rail_height;
-    double rail_rate;
-    double rail_bend;
-    bool on_rail;
-    double wheel_height;
-    double wheel_rate;
-    double wheel_bend;
-    bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
-    traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
-    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
-    if ((!on_rail) || (!on_wheel))
-    {
-        (*gap) = contact_plane__NO_GAP;
-    }
-    (*result_1) = wheel_rate - rail_rate;
-    (*result_2) = wheel_bend - rail_bend;
-    return 0;
-}
-
-/* Whether the wheel of the open frame is yawed. */
-static inline bool contact_plane__is_yawed(array_double_1d work)
-{
-    bool result;
-    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0;
-    return result;
-}
-
-
 /* ---- From contact/curves.py; change that one.
  *
  * Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured
@@ -239,6 +10,16 @@ static inline bool contact_plane__is_yawed(array_double_1d work)
  * The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.
  * ``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
  * the origin of the region.
+ *
+ * Arc lengths of the curves are found in two ways, for two purposes.
+ *
+ * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
+ *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
+ * a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
+ *           suitable for them that is smooth, the same at every use, and cheap.
+ *
+ * Moves along the curves are by arc length, by chords, or to a lateral coordinate.  A move leaves the new
+ * abscissa in the frame's trace, and returns whether the curve reaches that far.
  */
 
 /* The profile of a curve. */
@@ -261,7 +42,7 @@ static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, doubl
     double z;
     double y_track;
     double z_track;
-    profile_table__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, curve), u);
+    tables__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, curve), u);
     (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
     (*stretch) = 1.0;
@@ -289,7 +70,7 @@ static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double
     speed = 1.0;
     if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
-        profile_table__height_slope(&z, &slope, tables, curves__curve_profile(tables, curve), u);
+        tables__height_slope(&z, &slope, tables, curves__curve_profile(tables, curve), u);
         speed = sqrt(1.0 + slope * slope);
     }
     else
@@ -354,10 +135,291 @@ static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double
     return INT64_C(0);
 }
 
+/* Arc length [m] between abscissae within one piece of the profile, by Gauss's
+ * formula with six points.
+ */
+static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high)
+{
+    double middle;
+    double half;
+    double total;
+    int64_t i;
+    double side;
+    int64_t k;
+    double away;
+    double weight;
+    middle = 0.5 * (low + high);
+    half = 0.5 * (high - low);
+    total = 0.0;
+    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
+    {
+        side = half * (double)(i);
+        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        {
+            away = curves__GAUSS_1;
+            weight = curves__WEIGHT_1;
+            if (k == INT64_C(1))
+            {
+                away = curves__GAUSS_2;
+                weight = curves__WEIGHT_2;
+            }
+            if (k == INT64_C(2))
+            {
+                away = curves__GAUSS_3;
+                weight = curves__WEIGHT_3;
+            }
+            total += weight * curves__curve_speed(work, tables, curve, middle + side * away);
+        }
+    }
+    return half * total;
+}
+
+/* Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where
+ * ``stop`` is the smaller one.
+ *
+ * Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
+ */
+static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop)
+{
+    double low;
+    double high;
+    int64_t piece;
+    double end;
+    double total;
+    low = start;
+    high = stop;
+    if (stop < start)
+    {
+        low = stop;
+        high = start;
+    }
+    total = 0.0;
+    piece = tables__find_piece(tables, curves__curve_profile(tables, curve), low);
+    while(low < high)
+    {
+        end = high;
+        piece = piece + layout__PIECE_SIZE;
+        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
+        {
+            end = (*cspan_at(&tables, piece + layout__PIECE_START));
+        }
+        total += curves__panel_length(work, tables, curve, low, end);
+        low = end;
+    }
+    if (stop < start)
+    {
+        total = -total;
+    }
+    return total;
+}
+
+/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
+static OUT_OF_LINE double curves__rail_length(array_double_1d tables, double start, double stop)
+{
+    double result;
+    result = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop) - tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start);
+    return result;
+}
+
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
+ *
+ * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
+ * leaves rounding.
+ */
+static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double start, double length)
+{
+    int64_t rail;
+    int64_t arcs;
+    int64_t abscissae;
+    double arc;
+    double found;
+    double speed;
+    double x;
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
+    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
+    arc = tables__read_cubic(tables, arcs, start) + length;
+    if (arc < 0.0)
+    {
+        x = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
+    }
+    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
+    {
+        x = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
+    }
+    else
+    {
+        x = tables__read_cubic(tables, abscissae, arc);
+        tables__read_cubic_jet(&found, &speed, tables, arcs, x);
+        x += (arc - found) / speed;
+    }
+    return x;
+}
+
+/* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; whether the curve is
+ * that long.
+ */
+static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length)
+{
+    double u;
+    double remainder;
+    int64_t i;
+    double speed;
+    double following;
+    u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    remainder = length;
+    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    {
+        if (fabs(remainder) < curves__MOVE_SHARP)
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+            return 1;
+        }
+        speed = curves__curve_speed(work, tables, curve, u);
+        if (!(speed > 0.0))
+        {
+            return 0;
+        }
+        following = curves__within(tables, curve, u + remainder / speed);
+        if (following == u)
+        {
+            return 0;
+        }
+        remainder -= curves__arc_length(work, tables, curve, u, following);
+        u = following;
+    }
+    return 0;
+}
+
+/* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
+ * forward where ``chord`` is positive; whether it does.
+ */
+static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord)
+{
+    double start;
+    double from_across;
+    double from_down;
+    double slope;
+    double stretch;
+    double bend;
+    double u;
+    int64_t i;
+    double across;
+    double down;
+    double length;
+    double along;
+    double following;
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, work, tables, curve, start);
+    if (!(stretch > 0.0))
+    {
+        return 0;
+    }
+    u = curves__within(tables, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)));
+    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    {
+        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);
+        across -= from_across;
+        down -= from_down;
+        length = sqrt(across * across + down * down);
+        if (fabs(length - fabs(chord)) < curves__MOVE_SHARP)
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+            return 1;
+        }
+        along = (across + slope * down) * stretch;
+        if (!(along * chord > 0.0))
+        {
+            return 0;
+        }
+        following = curves__within(tables, curve, u - (length - fabs(chord)) * length / along);
+        if (following == u)
+        {
+            return 0;
+        }
+        u = following;
+    }
+    return 0;
+}
+
+/* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; whether
+ * there is one.
+ */
+static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station)
+{
+    double way;
+    double spacing;
+    double chord;
+    int64_t i;
+    bool exists;
+    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
+    exists = 1;
+    if (spacing == 0.0)
+    {
+        exists = curves__move_arc(work, tables, curve, way);
+    }
+    else
+    {
+        chord = spacing;
+        if (way < 0.0)
+        {
+            chord = -spacing;
+        }
+        for (i = INT64_C(0); i < (int64_t)(fabs(way) / spacing + 0.5); i += INT64_C(1))
+        {
+            if (exists)
+            {
+                exists = curves__move_chord(work, tables, curve, chord);
+            }
+        }
+    }
+    return exists;
+}
+
+/* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
+ * whether there is such a place.
+ */
+static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1d tables, double lateral)
+{
+    double u;
+    int64_t i;
+    double across;
+    double down;
+    double slope;
+    double stretch;
+    double bend;
+    double following;
+    u = curves__within(tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    {
+        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, u);
+        if (!(stretch > 0.0))
+        {
+            return 0;
+        }
+        if (fabs(across - lateral) < curves__MOVE_SHARP)
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
+            return 1;
+        }
+        following = curves__within(tables, layout__WHEEL, u - (across - lateral) / stretch);
+        if (following == u)
+        {
+            return 0;
+        }
+        u = following;
+    }
+    return 0;
+}
+
 
 /* ---- From contact/deep_points.py; change that one.
  *
  * The list of deepest points of the overlap, in the order of the rail, with the saddles between them.
+ *
+ * They are followed from one trial of an elastic wheelset to the next, which stands a few micrometres away: a
+ * search for them costs as much as the rest of a trial.
  */
 
 /* Write ``point`` to ``copy``. */
@@ -550,15 +612,8 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     return INT64_C(0);
 }
 
-
-/* ---- From contact/followed_overlaps.py; change that one.
- *
- * Deepest points that are followed from one trial of an elastic wheelset to the next, which stands a few
- * micrometres away: a search for them costs as much as the rest of a trial.
- */
-
 /* Note the deepest points on the list for the next trial. */
-static inline int64_t followed_overlaps__keep_points(array_double_1d work, int64_t kept)
+static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept)
 {
     int64_t entry_end;
     int64_t entry;
@@ -574,7 +629,7 @@ static inline int64_t followed_overlaps__keep_points(array_double_1d work, int64
 /* List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
  * ``height`` [m], with the saddles between them; their number, or 0 if one was lost or moved too far.
  */
-static inline int64_t followed_overlaps__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height)
+static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height)
 {
     int64_t entry_end;
     int64_t entry;
@@ -593,7 +648,7 @@ static inline int64_t followed_overlaps__follow_overlaps(array_double_1d work, a
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         deep_points__copy_point(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry, point);
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, x - followed_overlaps__FOLLOWED, x + followed_overlaps__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
+        pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
         if ((!turned) || (!(depth > 0.0)))
         {
             return INT64_C(0);
@@ -605,14 +660,14 @@ static inline int64_t followed_overlaps__follow_overlaps(array_double_1d work, a
     entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        followed_overlaps__follow_saddle(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height);
+        deep_points__follow_saddle(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height);
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
 }
 
 /* Find the saddle between two neighbouring points from where it was. */
-static inline int64_t followed_overlaps__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height)
+static inline int64_t deep_points__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height)
 {
     double y;
     double reach;
@@ -620,7 +675,7 @@ static inline int64_t followed_overlaps__follow_saddle(array_double_1d work, arr
     double depth;
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
-    reach = followed_overlaps__FOLLOWED;
+    reach = deep_points__FOLLOWED;
     if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
     {
         reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
@@ -629,10 +684,10 @@ static inline int64_t followed_overlaps__follow_saddle(array_double_1d work, arr
     {
         reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
     }
-    touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
+    pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
     if (!turned)
     {
-        touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), height, -1.0);
+        pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), height, -1.0);
     }
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
     (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
@@ -640,168 +695,214 @@ static inline int64_t followed_overlaps__follow_saddle(array_double_1d work, arr
 }
 
 
-/* ---- From contact/moves.py; change that one.
+/* ---- From contact/frame.py; change that one.
  *
- * Moves along the two curves of :mod:`curves`: by arc length, by chords, or to a lateral coordinate.
+ * The frame of a contact: its plane, the gap of wheel and rail along the plane's normal, and the region
+ * around its contact point or deepest point.
  *
- * A move leaves the new abscissa in the frame's trace, and returns whether the curve reaches that far.
+ * Frames are set aside where a wheel is pressed: every region beside the contact point's has its own, at its
+ * deepest point.
  */
 
-/* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; whether the curve is
- * that long.
+/* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
+ * there.
+ *
+ * aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
+ *
+ * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
+ * [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
  */
-static OUT_OF_LINE bool moves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length)
+static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift)
 {
-    double u;
-    double remainder;
-    int64_t i;
-    double speed;
-    double following;
-    u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    remainder = length;
-    for (i = INT64_C(0); i < moves__MOVE_ITERATIONS; i += INT64_C(1))
-    {
-        if (fabs(remainder) < moves__MOVE_SHARP)
-        {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
-            return 1;
-        }
-        speed = curves__curve_speed(work, tables, curve, u);
-        if (!(speed > 0.0))
-        {
-            return 0;
-        }
-        following = curves__within(tables, curve, u + remainder / speed);
-        if (following == u)
-        {
-            return 0;
-        }
-        remainder -= arc_length__arc_length(work, tables, curve, u, following);
-        u = following;
-    }
-    return 0;
-}
-
-/* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
- * forward where ``chord`` is positive; whether it does.
- */
-static OUT_OF_LINE bool moves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord)
-{
-    double start;
-    double from_across;
-    double from_down;
-    double slope;
-    double stretch;
     double bend;
-    double u;
-    int64_t i;
-    double across;
-    double down;
-    double length;
-    double along;
-    double following;
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, work, tables, curve, start);
+    double z_track;
+    double outline_slope;
+    double stretch;
+    double outline_rate;
+    double abscissa;
+    double height;
+    double rail_bend;
+    double cosine;
+    double sine;
+    tables__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, (*z), (*slope), bend);
+    (*y_track) += aside;
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    tables__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
+    sine = (*rail_slope) * cosine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    traces__start_traces(work, 0.0, abscissa, y);
+    (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
     {
-        return 0;
-    }
-    u = curves__within(tables, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)));
-    for (i = INT64_C(0); i < moves__MOVE_ITERATIONS; i += INT64_C(1))
-    {
-        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);
-        across -= from_across;
-        down -= from_down;
-        length = sqrt(across * across + down * down);
-        if (fabs(length - fabs(chord)) < moves__MOVE_SHARP)
-        {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
-            return 1;
-        }
-        along = (across + slope * down) * stretch;
-        if (!(along * chord > 0.0))
-        {
-            return 0;
-        }
-        following = curves__within(tables, curve, u - (length - fabs(chord)) * length / along);
-        if (following == u)
-        {
-            return 0;
-        }
-        u = following;
+        (*mismatch) = gap__FOLDED;
     }
     return 0;
 }
 
-/* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; whether
- * there is one.
+/* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
+ * [m].
+ *
+ * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static OUT_OF_LINE bool moves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station)
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
 {
-    double way;
-    double spacing;
-    double chord;
-    int64_t i;
-    bool exists;
-    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
-    exists = 1;
-    if (spacing == 0.0)
+    double rail_height;
+    double rail_rate;
+    double rail_bend;
+    bool on_rail;
+    double wheel_height;
+    double wheel_rate;
+    double wheel_bend;
+    bool on_wheel;
+    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
+    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    if ((!on_rail) || (!on_wheel))
     {
-        exists = moves__move_arc(work, tables, curve, way);
+        (*gap) = frame__NO_GAP;
     }
-    else
-    {
-        chord = spacing;
-        if (way < 0.0)
-        {
-            chord = -spacing;
-        }
-        for (i = INT64_C(0); i < (int64_t)(fabs(way) / spacing + 0.5); i += INT64_C(1))
-        {
-            if (exists)
-            {
-                exists = moves__move_chord(work, tables, curve, chord);
-            }
-        }
-    }
-    return exists;
+    (*result_1) = wheel_rate - rail_rate;
+    (*result_2) = wheel_bend - rail_bend;
+    return 0;
 }
 
-/* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
- * whether there is such a place.
- */
-static OUT_OF_LINE bool moves__move_across(array_double_1d work, array_double_1d tables, double lateral)
+/* Whether the wheel of the open frame is yawed. */
+static inline bool frame__is_yawed(array_double_1d work)
 {
-    double u;
+    bool result;
+    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0;
+    return result;
+}
+
+/* Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's. */
+static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot)
+{
+    int64_t kept;
     int64_t i;
-    double across;
-    double down;
-    double slope;
-    double stretch;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
+    }
+    return INT64_C(0);
+}
+
+/* Open the frame that was kept for ``slot``. */
+static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot)
+{
+    int64_t kept;
+    int64_t i;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
+    }
+    return INT64_C(0);
+}
+
+/* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
+ * flange root.
+ */
+static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count)
+{
+    int64_t index;
+    int64_t region;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    }
+    return INT64_C(0);
+}
+
+/* Open the frame of a region with its own plane, kept in ``slot``. */
+static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot)
+{
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    {
+        frame__use_frame(work, slot);
+    }
+    return INT64_C(0);
+}
+
+/* Open the contact point's frame again. */
+static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region)
+{
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    {
+        frame__use_frame(work, layout__REGION_LIMIT);
+    }
+    return INT64_C(0);
+}
+
+/* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
+ * follows from it.
+ */
+static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope)
+{
+    double cosine;
+    cosine = 1.0 / sqrt(1.0 + slope * slope);
+    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
+    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    {
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, region + layout__REGION_SIN)));
+    }
+    return INT64_C(0);
+}
+
+/* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state)
+{
+    double gap;
+    double rate;
     double bend;
-    double following;
-    u = curves__within(tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-    for (i = INT64_C(0); i < moves__MOVE_ITERATIONS; i += INT64_C(1))
-    {
-        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, u);
-        if (!(stretch > 0.0))
-        {
-            return 0;
-        }
-        if (fabs(across - lateral) < moves__MOVE_SHARP)
-        {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
-            return 1;
-        }
-        following = curves__within(tables, layout__WHEEL, u - (across - lateral) / stretch);
-        if (following == u)
-        {
-            return 0;
-        }
-        u = following;
-    }
-    return 0;
+    double curvature;
+    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, frame__PLACE_TRACE);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
+    return INT64_C(0);
+}
+
+/* The region of the rigid contact point itself, station and gap zero. */
+static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region)
+{
+    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
+    frame__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    return INT64_C(0);
 }
 
 
@@ -831,7 +932,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
     (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    profile_table__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    tables__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
@@ -937,7 +1038,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
  * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
- * point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
+ * point, which is located along the rail's normals (:mod:`pressed`, :mod:`pressed`).  Two with a low saddle
  * between them are one region (deep_points.MERGE).
  */
 
@@ -953,7 +1054,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     int64_t entry;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
-    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
@@ -1041,7 +1142,7 @@ static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_do
     overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
     bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
     return INT64_C(0);
 }
@@ -1080,7 +1181,7 @@ static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_do
     (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = 0.0;
     if (found)
     {
-        profile_table__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
+        tables__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
         (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = rise;
         (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = bend * sqrt(1.0 + slope * slope);
     }
@@ -1100,7 +1201,7 @@ static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_do
     double high;
     double share;
     scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    node = raster__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    node = bounds__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
     if (node > INT64_C(0))
     {
         bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
@@ -1128,7 +1229,7 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d work, array
     double wheel;
     double depth;
     bool turned;
-    touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
     if (turned && (depth > 0.0) && (!deep_points__is_listed(work, rail)))
     {
         deep_points__append_point(work, rail, wheel, depth);
@@ -1156,7 +1257,7 @@ static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d
     }
     else if (rise * following > 0.0)
     {
-        node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
         bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
         if (least < 0.0)
         {
@@ -1400,7 +1501,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     double wheel;
     bool turned;
     place = side + layout__SIDE_SEARCH_PLACE;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
     x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
     pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
@@ -1430,7 +1531,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
             low = far;
             high = x;
         }
-        touching__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+        pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
         if (turned && (depth > deepest))
         {
             deep_points__append_point(work, rail, wheel, depth);
@@ -1456,77 +1557,9 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_do
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
+        pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
         (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From contact/planes.py; change that one.
- *
- * Frames that are set aside: every region of a pressed wheel beside the contact point's has its own, at its
- * deepest point.
- */
-
-/* Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's. */
-static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-    }
-    return INT64_C(0);
-}
-
-/* Open the frame that was kept for ``slot``. */
-static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
-    }
-    return INT64_C(0);
-}
-
-/* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
- * flange root.
- */
-static OUT_OF_LINE int64_t planes__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count)
-{
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    }
-    return INT64_C(0);
-}
-
-/* Open the frame of a region with its own plane, kept in ``slot``. */
-static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region, int64_t slot)
-{
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
-    {
-        planes__use_frame(work, slot);
-    }
-    return INT64_C(0);
-}
-
-/* Open the contact point's frame again. */
-static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region)
-{
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
-    {
-        planes__use_frame(work, layout__REGION_LIMIT);
     }
     return INT64_C(0);
 }
@@ -1549,6 +1582,15 @@ static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t reg
  * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must
  * not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
  * stations begin.
+ *
+ * Where the overlap is largest, or smallest between two largest ones, a pair of points has a common normal.
+ * Such pairs are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In
+ * a pair the outline and the rail have one slope m and the line between both points is normal to them,
+ *
+ *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,
+ *     depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
+ *
+ * with (X, Z) the wheel's point at abscissa y in its present pose.
  */
 
 /* As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
@@ -1563,7 +1605,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overla
     (*curvature) = 0.0;
     if ((*found))
     {
-        (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
+        (*curvature) = curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
     }
     (*result_0) = y;
     return 0;
@@ -1606,12 +1648,12 @@ static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* re
     double turn;
     double relative_kappa;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    profile_table__height_slope_bend(&z_rail, &m, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
-        profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
+        tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, z, slope, bend);
         across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down = z_track + height - z_rail;
@@ -1736,8 +1778,8 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
         {
             high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
-        profile_table__height_slope(&z, &low_slope, tables, wheel, low);
-        profile_table__height_slope(&z, &high_slope, tables, wheel, high);
+        tables__height_slope(&z, &low_slope, tables, wheel, low);
+        tables__height_slope(&z, &high_slope, tables, wheel, high);
         bend = (high_slope - low_slope) / (high - low);
     }
     return bend;
@@ -1763,8 +1805,8 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
-    (*gap) = contact_plane__NO_GAP;
+    abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
+    (*gap) = frame__NO_GAP;
     (*rate) = 0.0;
     (*bend) = 0.0;
     (*curvature) = 1.0;
@@ -1791,6 +1833,98 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     return 0;
 }
 
+/* ``step``, no longer than ``limit`` either way. */
+static OUT_OF_LINE double pressed__limited(double step, double limit)
+{
+    if (step > limit)
+    {
+        step = limit;
+    }
+    if (step < -limit)
+    {
+        step = -limit;
+    }
+    return step;
+}
+
+/* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
+ * abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
+ * value: whether the slope changes its sign there: it may do so a little beyond the bracket.
+ *
+ * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
+ * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
+ * is halved.
+ */
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign)
+{
+    double x;
+    double overlap;
+    double rise;
+    double before;
+    bool moved_low;
+    bool moved_high;
+    int64_t i;
+    double bend;
+    double z;
+    double slope;
+    double wheel_bend;
+    bool found;
+    double following;
+    double z_rail;
+    double newton;
+    bool turned;
+    x = 0.5 * (low + high);
+    overlap = 0.0;
+    rise = 1.0;
+    before = 0.0;
+    moved_low = 0;
+    moved_high = 0;
+    for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
+    {
+        pressed__meet_wheel(&y, &overlap, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
+        if (!found)
+        {
+            (*result_0) = x;
+            (*result_1_0001) = y;
+            (*result_2) = overlap;
+            (*result_3) = 0;
+            return 0;
+        }
+        if (sign * rise > 0.0)
+        {
+            low = x;
+            moved_low = 1;
+        }
+        else
+        {
+            high = x;
+            moved_high = 1;
+        }
+        following = 0.5 * (low + high);
+        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
+        {
+            tables__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+            newton = x - rise / (bend * sqrt(1.0 + slope * slope));
+            if ((newton > low) && (newton < high))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - x) < pressed__DEEP_SHARP)
+        {
+            break;
+        }
+        x = following;
+        before = fabs(rise);
+    }
+    turned = (fabs(rise) < pressed__ZERO_RISE) || ((fabs(rise) < pressed__LEVEL_RISE) && moved_low && moved_high);
+    (*result_0) = x;
+    (*result_1_0001) = y;
+    (*result_2) = overlap;
+    (*result_3) = turned;
+    return 0;
+}
+
 
 /* ---- From contact/pressed_regions.py; change that one.
  *
@@ -1807,9 +1941,9 @@ static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, dou
     double outline_slope;
     double z_rail;
     double m;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), z, slope);
-    profile_table__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    tables__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
     (*result_1) = z_rail - z_track;
     return 0;
@@ -1852,15 +1986,15 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
     int64_t region;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     pressed_regions__press_frame(work, height, penetration, 0.0);
-    planes__keep_frame(work, layout__REGION_LIMIT);
+    frame__keep_frame(work, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        planes__use_frame(work, index);
+        frame__use_frame(work, index);
         pressed_regions__press_frame(work, height, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)));
-        planes__keep_frame(work, index);
+        frame__keep_frame(work, index);
     }
-    planes__use_frame(work, layout__REGION_LIMIT);
+    frame__use_frame(work, layout__REGION_LIMIT);
     return INT64_C(0);
 }
 
@@ -1873,8 +2007,8 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    profile_table__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
-    regions__incline_region(work, tables, region, m);
+    tables__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    frame__incline_region(work, tables, region, m);
     return INT64_C(0);
 }
 
@@ -1899,11 +2033,11 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     pressed_regions__touching_shift(&aside, &shift, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    contact_plane__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
+    frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = arc_length__rail_length(tables, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     pressed_regions__press_frame(work, height, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)));
     return INT64_C(0);
 }
@@ -1925,7 +2059,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
     int64_t count;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
-    planes__keep_frame(work, layout__REGION_LIMIT);
+    frame__keep_frame(work, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
@@ -1939,79 +2073,24 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
+        (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
+        (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
         if (index > INT64_C(0))
         {
-            (*cspan_at(&work, region + layout__REGION_LOW)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work, region + layout__REGION_LOW)) = curves__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
         }
         if (index < count - INT64_C(1))
         {
-            (*cspan_at(&work, region + layout__REGION_HIGH)) = arc_length__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work, region + layout__REGION_HIGH)) = curves__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
         }
-        planes__keep_frame(work, index);
-        planes__use_frame(work, layout__REGION_LIMIT);
+        frame__keep_frame(work, index);
+        frame__use_frame(work, layout__REGION_LIMIT);
     }
     if (count > INT64_C(1))
     {
-        planes__locate_along_track(work, tables, count);
+        frame__locate_along_track(work, tables, count);
     }
     return count;
-}
-
-
-/* ---- From contact/regions.py; change that one.
- *
- * The region around a contact point or a deepest point, and what belongs to its inclination.
- */
-
-/* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
- * follows from it.
- */
-static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope)
-{
-    double cosine;
-    cosine = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
-    {
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, region + layout__REGION_SIN)));
-    }
-    return INT64_C(0);
-}
-
-/* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
-static inline int64_t regions__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state)
-{
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
-    return INT64_C(0);
-}
-
-/* The region of the rigid contact point itself, station and gap zero. */
-static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region)
-{
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
-    regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    return INT64_C(0);
 }
 
 
@@ -2019,7 +2098,7 @@ static inline int64_t regions__open_contact_region(array_double_1d work, array_d
  *
  * The undeformed distance over a region's stations, measured in one of four ways.
  *
- * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the
+ * normal        along the normal of the contact plane, :mod:`frame`; of a pressed wheel, along the
  *               rail's, :mod:`pressed`;
  * vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
  * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
@@ -2050,7 +2129,7 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
     double bend;
     per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     lateral = (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station;
-    (*exists) = moves__move_across(work, tables, lateral);
+    (*exists) = curves__move_across(work, tables, lateral);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
     if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
@@ -2094,8 +2173,8 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     double cosine;
     double sine;
     double size;
-    on_rail = moves__move_to_station(work, tables, layout__RAIL, station);
-    on_wheel = moves__move_to_station(work, tables, layout__WHEEL, station);
+    on_rail = curves__move_to_station(work, tables, layout__RAIL, station);
+    on_wheel = curves__move_to_station(work, tables, layout__WHEEL, station);
     curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     rail_cos = 1.0 / sqrt(1.0 + slope * slope);
     rail_sin = slope * rail_cos;
@@ -2130,7 +2209,7 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
     double cosine;
     double along;
     double across;
-    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     along = cosine * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     across = cosine * (slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
@@ -2170,12 +2249,12 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     }
     if (!exists)
     {
-        (*gap) = contact_plane__NO_GAP;
+        (*gap) = frame__NO_GAP;
     }
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     wheel_bend = pressed__mean_bend(work, tables, y, wheel_bend);
-    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
+    (*curvature) = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
     return 0;
 }
 
@@ -2190,7 +2269,7 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        contact_plane__normal_gap(gap, rate, bend, curvature, work, tables, state, station, tolerance);
+        frame__normal_gap(gap, rate, bend, curvature, work, tables, state, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
@@ -2200,113 +2279,6 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
     {
         separation__moved_separation(gap, rate, bend, curvature, work, tables, state, station, kind);
     }
-    return 0;
-}
-
-
-/* ---- From contact/touching.py; change that one.
- *
- * Pairs of points of wheel and rail with a common normal: where the overlap of a pressed wheel is largest, or
- * smallest between two largest ones.
- *
- * They are found by a bracket on the rail, with Newton's method inside it, also where curvatures jump.  In a
- * pair the outline and the rail have one slope m and the line between both points is normal to them,
- *
- *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,
- *     depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
- *
- * with (X, Z) the wheel's point at abscissa y in its present pose.
- */
-
-/* ``step``, no longer than ``limit`` either way. */
-static OUT_OF_LINE double touching__limited(double step, double limit)
-{
-    if (step > limit)
-    {
-        step = limit;
-    }
-    if (step < -limit)
-    {
-        step = -limit;
-    }
-    return step;
-}
-
-/* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
- * abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
- * value: whether the slope changes its sign there: it may do so a little beyond the bracket.
- *
- * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
- * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
- * is halved.
- */
-static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign)
-{
-    double x;
-    double overlap;
-    double rise;
-    double before;
-    bool moved_low;
-    bool moved_high;
-    int64_t i;
-    double bend;
-    double z;
-    double slope;
-    double wheel_bend;
-    bool found;
-    double following;
-    double z_rail;
-    double newton;
-    bool turned;
-    x = 0.5 * (low + high);
-    overlap = 0.0;
-    rise = 1.0;
-    before = 0.0;
-    moved_low = 0;
-    moved_high = 0;
-    for (i = INT64_C(0); i < touching__DEEP_ITERATIONS; i += INT64_C(1))
-    {
-        pressed__meet_wheel(&y, &overlap, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
-        if (!found)
-        {
-            (*result_0) = x;
-            (*result_1_0001) = y;
-            (*result_2) = overlap;
-            (*result_3) = 0;
-            return 0;
-        }
-        if (sign * rise > 0.0)
-        {
-            low = x;
-            moved_low = 1;
-        }
-        else
-        {
-            high = x;
-            moved_high = 1;
-        }
-        following = 0.5 * (low + high);
-        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
-        {
-            profile_table__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
-            newton = x - rise / (bend * sqrt(1.0 + slope * slope));
-            if ((newton > low) && (newton < high))
-            {
-                following = newton;
-            }
-        }
-        if (fabs(following - x) < touching__DEEP_SHARP)
-        {
-            break;
-        }
-        x = following;
-        before = fabs(rise);
-    }
-    turned = (fabs(rise) < touching__ZERO_RISE) || ((fabs(rise) < touching__LEVEL_RISE) && moved_low && moved_high);
-    (*result_0) = x;
-    (*result_1_0001) = y;
-    (*result_2) = overlap;
-    (*result_3) = turned;
     return 0;
 }
 
@@ -2383,7 +2355,7 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
         {
             u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
         }
-        profile_table__height_slope_bend(&height, &slope, &bend, tables, profile, u);
+        tables__height_slope_bend(&height, &slope, &bend, tables, profile, u);
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
         if (fabs(excess) < tolerance)
@@ -2439,7 +2411,7 @@ static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double
         lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
         traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
         (*ordinate) -= (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, (*bend));
+        (*curvature) = curvature__longitudinal_curvature(work, tables, place, z, slope, (*bend));
     }
     else
     {
@@ -2505,7 +2477,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
         {
             y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
-        profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
+        tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
         across = y_track - left;
         up = z_track + above;
@@ -2529,20 +2501,21 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * sine * per_stretch;
-    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
+    (*curvature) = curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
     (*ordinate) = across * sine - up * cosine - excess * (rate - 0.5 * excess * (*ordinate_bend));
     (*result_1) = rate - excess * (*ordinate_bend);
     return 0;
 }
 
 
-/* ---- From contact/zone_width.py; change that one.
+/* ---- From contact/widths.py; change that one.
  *
- * How far the interpenetration of a region reaches to either side.
+ * How far the interpenetration of a region reaches to either side, and the lateral curvatures that follow
+ * from its width.
  */
 
 /* Distance [m] from the region's minimum to its bound in ``direction`` (1.0 or -1.0). */
-static inline double zone_width__width_limit(array_double_1d work, int64_t region, double direction)
+static inline double widths__width_limit(array_double_1d work, int64_t region, double direction)
 {
     double limit;
     limit = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
@@ -2554,13 +2527,13 @@ static inline double zone_width__width_limit(array_double_1d work, int64_t regio
 }
 
 /* Tolerance of the traces [m] for an estimated half-width [m]. */
-static inline double zone_width__width_tolerance(double estimate)
+static inline double widths__width_tolerance(double estimate)
 {
     double tolerance;
-    tolerance = zone_width__TRACE_OF_WIDTH * estimate;
-    if (tolerance > zone_width__WIDTH_TRACE)
+    tolerance = widths__TRACE_OF_WIDTH * estimate;
+    if (tolerance > widths__WIDTH_TRACE)
     {
-        tolerance = zone_width__WIDTH_TRACE;
+        tolerance = widths__WIDTH_TRACE;
     }
     return tolerance;
 }
@@ -2571,7 +2544,7 @@ static inline double zone_width__width_tolerance(double estimate)
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
  * chosen separation, with arcs in place of the chords whose length follows from this width.
  */
-static inline double zone_width__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate)
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate)
 {
     double limit;
     double tolerance;
@@ -2593,10 +2566,10 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
     double sharp;
     double square;
     double newton;
-    limit = zone_width__width_limit(work, region, direction);
+    limit = widths__width_limit(work, region, direction);
     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     curves__open_origin(work, tables, region, 0.0);
-    tolerance = zone_width__width_tolerance(estimate);
+    tolerance = widths__width_tolerance(estimate);
     root = sqrt(level);
     low = 0.0;
     high = -1.0;
@@ -2605,19 +2578,19 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
     station = (*cspan_at(&work, region + layout__REGION_STATION));
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
-    near = zone_width__WIDTH_SHARP;
+    near = widths__WIDTH_SHARP;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        near = zone_width__PRESSED_SHARP;
+        near = widths__PRESSED_SHARP;
     }
-    for (i = INT64_C(0); i < zone_width__WIDTH_ITERATIONS; i += INT64_C(1))
+    for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
         {
             width = limit;
         }
         separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
-        if (gap >= contact_plane__NO_GAP)
+        if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
             traces__start_traces(work, station, abscissa, y);
@@ -2643,7 +2616,7 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
             high = width;
         }
         following = 2.0 * width;
-        sharp = zone_width__HALVED_SHARP;
+        sharp = widths__HALVED_SHARP;
         if (high > 0.0)
         {
             following = 0.5 * (low + high);
@@ -2669,4 +2642,86 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
         width = following;
     }
     return width;
+}
+
+/* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
+ * both sides that follow from them, and the station its load is thought to act at.
+ */
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration)
+{
+    double bend;
+    double low;
+    double high;
+    double grown;
+    double high_reached;
+    double slant;
+    double start;
+    bool yawed;
+    /* the first guess: the gap's own second derivative, as far as it is a usual one */
+    bend = (*cspan_at(&work, region + layout__REGION_BEND));
+    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    {
+        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    }
+    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    {
+        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    }
+    low = sqrt(2.0 * local_penetration / bend);
+    high = low;
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
+    {
+        grown = sqrt(local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
+        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
+        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
+    }
+    high = widths__zone_width(work, tables, region, state, 1.0, local_penetration, high);
+    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
+    slant = 0.0;
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    yawed = frame__is_yawed(work);
+    if (yawed)
+    {
+        slant = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    }
+    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
+    {
+        low = high;
+    }
+    low = widths__zone_width(work, tables, region, state, -1.0, local_penetration, low);
+    if (yawed)
+    {
+        slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
+        {
+            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
+        }
+    }
+    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = widths__side_curvature(high_reached, high, 0.5 * (low + high));
+    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = widths__side_curvature((*cspan_at(&work, region + layout__REGION_REACHED)), low, 0.5 * (low + high));
+    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
+    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * (high - low);
+    return INT64_C(0);
+}
+
+/* g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
+ * enlarged where that side is the narrower, up to NARROWER times.
+ */
+static inline double widths__side_curvature(double reached, double own, double mean)
+{
+    double ratio;
+    double curvature;
+    curvature = 0.0;
+    if (own > 0.0)
+    {
+        ratio = mean / own;
+        if (ratio > widths__NARROWER)
+        {
+            ratio = widths__NARROWER;
+        }
+        curvature = reached / (own * own) * ratio * ratio;
+    }
+    return curvature;
 }

@@ -5,71 +5,14 @@
 #include "../native/spans.h"
 
 /* layout/__init__.py */
-static const int64_t layout__SIDES_BOTH = INT64_C(0);
-static const int64_t layout__SIDES_LEFT = INT64_C(1);
-static const int64_t layout__SIDES_RIGHT = INT64_C(2);
-static const int64_t layout__DEPTH_GEOMETRY = INT64_C(0);
-static const int64_t layout__DEPTH_PATCHES = INT64_C(1);
-static const int64_t layout__DEPTH_ALL = INT64_C(2);
-static const int64_t layout__VALID = INT64_C(0);
-static const int64_t layout__UNLOADED = INT64_C(1);
-static const int64_t layout__OFF_PROFILE = INT64_C(2);
-static const int64_t layout__NOT_CONVERGED = INT64_C(3);
-static const int64_t layout__INVALID_INPUT = INT64_C(4);
-static const int64_t layout__REGION_LIMIT = INT64_C(3);
-static const int64_t layout__RAIL = INT64_C(0);
-static const int64_t layout__WHEEL = INT64_C(1);
-static const int64_t layout__FRAME_SIZE = INT64_C(27);
-static const int64_t layout__REGION_SIZE = INT64_C(37);
-static const int64_t layout__OVERLAP_LIMIT = INT64_C(200);
-static const int64_t layout__DEEP_LIMIT = INT64_C(9);
-static const double layout__FRICTION_LIMIT = 2.0;
-static const double layout__LATERAL_LIMIT = 0.015;
-static const double layout__ROLL_LIMIT = 0.12;
-static const double layout__YAW_LIMIT = 0.12;
-static const double layout__CURVATURE_LIMIT = 0.1;
-static const double layout__RATE_LIMIT = 100.0;
-static const double layout__SPEED_LIMIT = 200.0;
-static const double layout__VELOCITY_LIMIT = 20.0;
-static const double layout__WHEEL_LIMIT = 2000.0;
-static const int64_t layout__PATCH_LIMIT = INT64_C(3);
-static const int64_t layout__STATION_COUNT = INT64_C(31);
-static const int64_t layout__STATION_LEAST = INT64_C(3);
-static const int64_t layout__STATION_LIMIT = INT64_C(201);
-static const double layout__RAIL_LIMIT = 0.05;
-static const double layout__RAIL_ROLL_LIMIT = 0.05;
-static const int64_t layout__RUN_COUNT = INT64_C(5);
-static const int64_t layout__MODE_RIGID = INT64_C(0);
-static const int64_t layout__MODE_ELASTIC = INT64_C(1);
-static const int64_t layout__MODE_COMPLIANT = INT64_C(2);
-static const int64_t layout__LOAD_NORMAL = INT64_C(0);
-static const int64_t layout__LOAD_VERTICAL = INT64_C(1);
-static const int64_t layout__MODEL_ANALYN = INT64_C(1);
-static const int64_t layout__MODEL_ANALYN_STRIP = INT64_C(2);
-static const int64_t layout__MODEL_HERTZ = INT64_C(0);
-static const int64_t layout__SEPARATION_NORMAL = INT64_C(0);
-static const int64_t layout__SEPARATION_VERTICAL = INT64_C(1);
-static const int64_t layout__SEPARATION_EQUIDISTANT = INT64_C(2);
-static const int64_t layout__SEPARATION_EQUIDISTANT_CHORD = INT64_C(3);
-static const int64_t layout__LONGITUDINAL_EFFECTIVE = INT64_C(0);
-static const int64_t layout__LONGITUDINAL_BASIC = INT64_C(1);
-static const int64_t layout__LATERAL_ADAPTIVE = INT64_C(0);
-static const int64_t layout__LATERAL_SMOOTH = INT64_C(1);
-static const int64_t layout__LATERAL_ROUGH = INT64_C(2);
-static const int64_t layout__TANGENTIAL_NONE = INT64_C(0);
-static const int64_t layout__TANGENTIAL_STRIPS = INT64_C(1);
-static const int64_t layout__TANGENTIAL_FASTSIM = INT64_C(2);
-static const int64_t layout__TANGENTIAL_FASTRIP = INT64_C(3);
-static const int64_t layout__TANGENTIAL_POLACH = INT64_C(4);
-static const int64_t layout__OPEN = INT64_C(1000000);
-static const int64_t layout__NODE_LIMIT = INT64_C(256);
-static const int64_t layout__NODE_MIDDLE = INT64_C(128);
-static const int64_t layout__STRIP_LIMIT = INT64_C(104);
-static const int64_t layout__INFLUENCE_CELLS = INT64_C(96);
-static const int64_t layout__INFLUENCE_COLUMNS = INT64_C(48);
-static const int64_t layout__INFLUENCE_COLUMN = INT64_C(288);
-static const int64_t layout__INFLUENCE_MAP = INT64_C(14112);
-static const int64_t layout__HERTZ_ROW = INT64_C(12);
+static const int64_t layout__INPUT_COUNT = INT64_C(29);
+static const int64_t layout__OUTPUT_COUNT = INT64_C(543);
+static const int64_t layout__WORK_SIZE = INT64_C(61233);
+static const int64_t layout__STATE_SIZE = INT64_C(11);
+static const int64_t layout__SETTING_COUNT = INT64_C(63);
+static const int64_t layout__SETUP_SIZE = INT64_C(33);
+static const int64_t layout__PARAMETERS_SIZE = INT64_C(27);
+static const int64_t layout__ROLLING_TABLE_SIZE = INT64_C(22895);
 static const int64_t layout__IN_LATERAL_SHIFT = INT64_C(0);
 static const int64_t layout__IN_YAW = INT64_C(1);
 static const int64_t layout__IN_ROLL_GUESS = INT64_C(2);
@@ -261,35 +204,20 @@ static const int64_t layout__SIDE_SIZE = INT64_C(264);
 static const int64_t layout__PATCH_OUTPUTS_SIZE = INT64_C(25);
 static const int64_t layout__SET_PENETRATION_LEFT = INT64_C(13);
 static const int64_t layout__SET_PENETRATION_RIGHT = INT64_C(14);
-static const int64_t layout__SOLVED_PATCH_LIMIT = INT64_C(8);
-static const int64_t layout__SOLVED_STRIP_LIMIT = INT64_C(768);
-static const int64_t layout__ROLLING_STRIP_LIMIT = INT64_C(16);
-static const int64_t layout__RULE_ELLIPSE = INT64_C(0);
-static const int64_t layout__RULE_QUADRATIC = INT64_C(1);
-static const int64_t layout__RULE_STRAIGHT = INT64_C(2);
-static const int64_t layout__PATCH_SIZE = INT64_C(323);
-static const int64_t layout__SCAN_LIMIT = INT64_C(400);
-static const int64_t layout__EXPONENTS = INT64_C(6);
-static const int64_t layout__CANDIDATES = INT64_C(16);
-static const int64_t layout__STACK_LIMIT = INT64_C(52);
-static const int64_t layout__TRIAL_LIMIT = INT64_C(60);
-static const int64_t layout__START_COUNT = INT64_C(61);
-static const int64_t layout__SCAN_NODE_SIZE = INT64_C(17);
-static const int64_t layout__RAIL_CELL_SIZE = INT64_C(9);
-static const int64_t layout__STARTS_SIZE = INT64_C(247);
-static const int64_t layout__INPUT_COUNT = INT64_C(29);
-static const int64_t layout__OUTPUT_COUNT = INT64_C(543);
-static const int64_t layout__WORK_SIZE = INT64_C(61233);
-static const int64_t layout__STATE_SIZE = INT64_C(11);
-static const int64_t layout__SETTING_COUNT = INT64_C(63);
-static const int64_t layout__SETUP_SIZE = INT64_C(33);
-static const int64_t layout__PARAMETERS_SIZE = INT64_C(27);
-static const int64_t layout__ROLLING_TABLE_SIZE = INT64_C(22895);
+static const int64_t layout__OPEN = INT64_C(1000000);
 static const int64_t layout__WIDTH = INT64_C(8);
+static const int64_t layout__REGION_LIMIT = INT64_C(3);
+static const int64_t layout__RAIL = INT64_C(0);
+static const int64_t layout__WHEEL = INT64_C(1);
 static const int64_t layout__PIECE_SIZE = INT64_C(7);
 static const int64_t layout__PROFILE_HEAD = INT64_C(5);
 static const int64_t layout__CUBIC_SIZE = INT64_C(4);
 static const int64_t layout__PLACE_SIZE = INT64_C(21);
+static const int64_t layout__FRAME_SIZE = INT64_C(27);
+static const int64_t layout__REGION_SIZE = INT64_C(37);
+static const int64_t layout__OVERLAP_LIMIT = INT64_C(200);
+static const int64_t layout__DEEP_LIMIT = INT64_C(9);
+static const int64_t layout__ROLLING_STRIP_LIMIT = INT64_C(16);
 static const double layout__SHAPE_START = -3.0;
 static const double layout__SHAPE_PER_UNIT = 4.0;
 static const int64_t layout__SHAPE_CELLS = INT64_C(28);
@@ -309,6 +237,398 @@ static const int64_t layout__CORRECTION_LINE = INT64_C(36);
 static const int64_t layout__CORRECTION_SIZE = INT64_C(21060);
 static const int64_t layout__POINT_LIMIT = INT64_C(16);
 static const int64_t layout__BLOCK_COUNT = INT64_C(8);
+static const double layout__FRICTION_LIMIT = 2.0;
+static const double layout__LATERAL_LIMIT = 0.015;
+static const double layout__ROLL_LIMIT = 0.12;
+static const double layout__YAW_LIMIT = 0.12;
+static const double layout__CURVATURE_LIMIT = 0.1;
+static const double layout__RATE_LIMIT = 100.0;
+static const double layout__SPEED_LIMIT = 200.0;
+static const double layout__VELOCITY_LIMIT = 20.0;
+static const double layout__WHEEL_LIMIT = 2000.0;
+static const int64_t layout__PATCH_LIMIT = INT64_C(3);
+static const int64_t layout__STATION_COUNT = INT64_C(31);
+static const int64_t layout__STATION_LEAST = INT64_C(3);
+static const int64_t layout__STATION_LIMIT = INT64_C(201);
+static const double layout__RAIL_LIMIT = 0.05;
+static const double layout__RAIL_ROLL_LIMIT = 0.05;
+static const int64_t layout__SIDES_BOTH = INT64_C(0);
+static const int64_t layout__SIDES_LEFT = INT64_C(1);
+static const int64_t layout__SIDES_RIGHT = INT64_C(2);
+static const int64_t layout__DEPTH_GEOMETRY = INT64_C(0);
+static const int64_t layout__DEPTH_PATCHES = INT64_C(1);
+static const int64_t layout__DEPTH_ALL = INT64_C(2);
+static const int64_t layout__VALID = INT64_C(0);
+static const int64_t layout__UNLOADED = INT64_C(1);
+static const int64_t layout__OFF_PROFILE = INT64_C(2);
+static const int64_t layout__NOT_CONVERGED = INT64_C(3);
+static const int64_t layout__INVALID_INPUT = INT64_C(4);
+static const int64_t layout__RUN_COUNT = INT64_C(5);
+static const int64_t layout__MODE_RIGID = INT64_C(0);
+static const int64_t layout__MODE_ELASTIC = INT64_C(1);
+static const int64_t layout__MODE_COMPLIANT = INT64_C(2);
+static const int64_t layout__LOAD_NORMAL = INT64_C(0);
+static const int64_t layout__LOAD_VERTICAL = INT64_C(1);
+static const int64_t layout__MODEL_ANALYN = INT64_C(1);
+static const int64_t layout__MODEL_ANALYN_STRIP = INT64_C(2);
+static const int64_t layout__MODEL_HERTZ = INT64_C(0);
+static const int64_t layout__SEPARATION_NORMAL = INT64_C(0);
+static const int64_t layout__SEPARATION_VERTICAL = INT64_C(1);
+static const int64_t layout__SEPARATION_EQUIDISTANT = INT64_C(2);
+static const int64_t layout__SEPARATION_EQUIDISTANT_CHORD = INT64_C(3);
+static const int64_t layout__LONGITUDINAL_EFFECTIVE = INT64_C(0);
+static const int64_t layout__LONGITUDINAL_BASIC = INT64_C(1);
+static const int64_t layout__LATERAL_ADAPTIVE = INT64_C(0);
+static const int64_t layout__LATERAL_SMOOTH = INT64_C(1);
+static const int64_t layout__LATERAL_ROUGH = INT64_C(2);
+static const int64_t layout__TANGENTIAL_NONE = INT64_C(0);
+static const int64_t layout__TANGENTIAL_STRIPS = INT64_C(1);
+static const int64_t layout__TANGENTIAL_FASTSIM = INT64_C(2);
+static const int64_t layout__TANGENTIAL_FASTRIP = INT64_C(3);
+static const int64_t layout__TANGENTIAL_POLACH = INT64_C(4);
+static const int64_t layout__SOLVED_PATCH_LIMIT = INT64_C(8);
+static const int64_t layout__SOLVED_STRIP_LIMIT = INT64_C(768);
+static const int64_t layout__RULE_ELLIPSE = INT64_C(0);
+static const int64_t layout__RULE_QUADRATIC = INT64_C(1);
+static const int64_t layout__RULE_STRAIGHT = INT64_C(2);
+static const int64_t layout__NODE_LIMIT = INT64_C(256);
+static const int64_t layout__NODE_MIDDLE = INT64_C(128);
+static const int64_t layout__STRIP_LIMIT = INT64_C(104);
+static const int64_t layout__PATCH_SIZE = INT64_C(323);
+static const int64_t layout__INFLUENCE_CELLS = INT64_C(96);
+static const int64_t layout__INFLUENCE_COLUMNS = INT64_C(48);
+static const int64_t layout__INFLUENCE_COLUMN = INT64_C(288);
+static const int64_t layout__INFLUENCE_MAP = INT64_C(14112);
+static const int64_t layout__HERTZ_ROW = INT64_C(12);
+static const int64_t layout__SCAN_LIMIT = INT64_C(400);
+static const int64_t layout__EXPONENTS = INT64_C(6);
+static const int64_t layout__CANDIDATES = INT64_C(16);
+static const int64_t layout__STACK_LIMIT = INT64_C(52);
+static const int64_t layout__TRIAL_LIMIT = INT64_C(60);
+static const int64_t layout__START_COUNT = INT64_C(61);
+static const int64_t layout__SCAN_NODE_SIZE = INT64_C(17);
+static const int64_t layout__RAIL_CELL_SIZE = INT64_C(9);
+static const int64_t layout__STARTS_SIZE = INT64_C(247);
+static const int64_t layout__CUBIC_TABLE_SIZE = INT64_C(4000003);
+static const int64_t layout__CUBIC_TABLE_COUNT = INT64_C(0);
+static const int64_t layout__CUBIC_TABLE_START = INT64_C(1);
+static const int64_t layout__CUBIC_TABLE_CELLS_PER_UNIT = INT64_C(2);
+static const int64_t layout__CUBIC_TABLE_CELLS = INT64_C(3);
+static const int64_t layout__CURVATURE_TABLE_SIZE = INT64_C(1000003);
+static const int64_t layout__CURVATURE_TABLE_COUNT = INT64_C(0);
+static const int64_t layout__CURVATURE_TABLE_START = INT64_C(1);
+static const int64_t layout__CURVATURE_TABLE_PER_METRE = INT64_C(2);
+static const int64_t layout__CURVATURE_TABLE_CURVATURES = INT64_C(3);
+static const int64_t layout__DEEP_POINTS_SIZE = INT64_C(16);
+static const int64_t layout__DEEP_POINTS_COUNT = INT64_C(0);
+static const int64_t layout__DEEP_POINTS_POINTS = INT64_C(1);
+static const int64_t layout__FRAME_RAIL = INT64_C(0);
+static const int64_t layout__FRAME_WHEEL = INT64_C(2);
+static const int64_t layout__FRAME_PLANE = INT64_C(4);
+static const int64_t layout__FRAME_WHEEL_PLANE = INT64_C(6);
+static const int64_t layout__FRAME_PLACE = INT64_C(8);
+static const int64_t layout__FRAME_ASIDE = INT64_C(9);
+static const int64_t layout__FRAME_SHIFT = INT64_C(10);
+static const int64_t layout__FRAME_LIFT = INT64_C(11);
+static const int64_t layout__FRAME_RAISED = INT64_C(12);
+static const int64_t layout__FRAME_STATION = INT64_C(13);
+static const int64_t layout__FRAME_TRACES = INT64_C(14);
+static const int64_t layout__FRAME_PRESSED = INT64_C(20);
+static const int64_t layout__FRAME_SUNK = INT64_C(21);
+static const int64_t layout__FRAME_HEIGHT = INT64_C(22);
+static const int64_t layout__FRAME_DEPTH = INT64_C(23);
+static const int64_t layout__FRAME_BEND = INT64_C(24);
+static const int64_t layout__FRAME_CURVATURE = INT64_C(25);
+static const int64_t layout__FRAME_BLUR = INT64_C(26);
+static const int64_t layout__ORIGIN_SIZE = INT64_C(7);
+static const int64_t layout__ORIGIN_STATION = INT64_C(0);
+static const int64_t layout__ORIGIN_GAP = INT64_C(1);
+static const int64_t layout__ORIGIN_POINTS = INT64_C(2);
+static const int64_t layout__ORIGIN_SPACING = INT64_C(6);
+static const int64_t layout__OVERLAP_SIZE = INT64_C(2076);
+static const int64_t layout__OVERLAP_COUNT = INT64_C(0);
+static const int64_t layout__OVERLAP_HEIGHT = INT64_C(1);
+static const int64_t layout__OVERLAP_POINTS = INT64_C(2);
+static const int64_t layout__OVERLAP_SAMPLES = INT64_C(47);
+static const int64_t layout__OVERLAP_STRETCH = INT64_C(2047);
+static const int64_t layout__PROFILE_SIZE = INT64_C(1000005);
+static const int64_t layout__PROFILE_START = INT64_C(0);
+static const int64_t layout__PROFILE_STOP = INT64_C(1);
+static const int64_t layout__PROFILE_BINS_PER_METRE = INT64_C(2);
+static const int64_t layout__PROFILE_BIN_COUNT = INT64_C(3);
+static const int64_t layout__PROFILE_PIECES = INT64_C(4);
+static const int64_t layout__PROFILE_BINS = INT64_C(5);
+static const int64_t layout__ROLLING_SIZE = INT64_C(707);
+static const int64_t layout__ROLLING_BARE = INT64_C(0);
+static const int64_t layout__ROLLING_PUBLISHED = INT64_C(1);
+static const int64_t layout__ROLLING_BLOCKS = INT64_C(2);
+static const int64_t layout__ROLLING_EQUATIONS_X = INT64_C(50);
+static const int64_t layout__ROLLING_EQUATIONS_Y = INT64_C(122);
+static const int64_t layout__ROLLING_EQUATIONS_SPIN = INT64_C(194);
+static const int64_t layout__ROLLING_MARCH = INT64_C(266);
+static const int64_t layout__ROLLING_MARCHES = INT64_C(290);
+static const int64_t layout__ROLLING_TABLE_COSINES = INT64_C(0);
+static const int64_t layout__ROLLING_TABLE_SINES = INT64_C(16);
+static const int64_t layout__ROLLING_TABLE_SHAPES = INT64_C(32);
+static const int64_t layout__ROLLING_TABLE_REACHES = INT64_C(704);
+static const int64_t layout__ROLLING_TABLE_RADII = INT64_C(1796);
+static const int64_t layout__ROLLING_TABLE_SCALES = INT64_C(1808);
+static const int64_t layout__ROLLING_TABLE_CORRECTIONS = INT64_C(1835);
+static const int64_t layout__INPUTS_SIZE = INT64_C(29);
+static const int64_t layout__INPUTS_LATERAL_SHIFT = INT64_C(0);
+static const int64_t layout__INPUTS_YAW = INT64_C(1);
+static const int64_t layout__INPUTS_ROLL_GUESS = INT64_C(2);
+static const int64_t layout__INPUTS_NORMAL_FORCE = INT64_C(3);
+static const int64_t layout__INPUTS_LOAD_TRANSFER = INT64_C(4);
+static const int64_t layout__INPUTS_VERTICAL_SHIFT = INT64_C(5);
+static const int64_t layout__INPUTS_ROLL = INT64_C(6);
+static const int64_t layout__INPUTS_LEFT_RAIL_LATERAL = INT64_C(7);
+static const int64_t layout__INPUTS_LEFT_RAIL_VERTICAL = INT64_C(8);
+static const int64_t layout__INPUTS_LEFT_RAIL_ROLL = INT64_C(9);
+static const int64_t layout__INPUTS_RIGHT_RAIL_LATERAL = INT64_C(10);
+static const int64_t layout__INPUTS_RIGHT_RAIL_VERTICAL = INT64_C(11);
+static const int64_t layout__INPUTS_RIGHT_RAIL_ROLL = INT64_C(12);
+static const int64_t layout__INPUTS_SPEED = INT64_C(13);
+static const int64_t layout__INPUTS_LATERAL_VELOCITY = INT64_C(14);
+static const int64_t layout__INPUTS_VERTICAL_VELOCITY = INT64_C(15);
+static const int64_t layout__INPUTS_YAW_RATE = INT64_C(16);
+static const int64_t layout__INPUTS_ROLL_RATE = INT64_C(17);
+static const int64_t layout__INPUTS_WHEEL_RATE = INT64_C(18);
+static const int64_t layout__INPUTS_FREE_ROLLING = INT64_C(19);
+static const int64_t layout__INPUTS_TRACK_CURVATURE = INT64_C(20);
+static const int64_t layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY = INT64_C(21);
+static const int64_t layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY = INT64_C(22);
+static const int64_t layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY = INT64_C(23);
+static const int64_t layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY = INT64_C(24);
+static const int64_t layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY = INT64_C(25);
+static const int64_t layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY = INT64_C(26);
+static const int64_t layout__INPUTS_LEFT_FRICTION = INT64_C(27);
+static const int64_t layout__INPUTS_RIGHT_FRICTION = INT64_C(28);
+static const int64_t layout__OUTPUTS_SIZE = INT64_C(543);
+static const int64_t layout__OUTPUTS_ROLL = INT64_C(0);
+static const int64_t layout__OUTPUTS_VERTICAL_SHIFT = INT64_C(1);
+static const int64_t layout__OUTPUTS_FORCE = INT64_C(2);
+static const int64_t layout__OUTPUTS_MOMENT = INT64_C(5);
+static const int64_t layout__OUTPUTS_NORMAL_PART = INT64_C(8);
+static const int64_t layout__OUTPUTS_NORMAL_MOMENT = INT64_C(11);
+static const int64_t layout__OUTPUTS_DRIVING_TORQUE = INT64_C(14);
+static const int64_t layout__OUTPUTS_LEFT = INT64_C(15);
+static const int64_t layout__RESOLUTION_SIZE = INT64_C(4);
+static const int64_t layout__RESOLUTION_NODES = INT64_C(0);
+static const int64_t layout__RESOLUTION_STRIDE = INT64_C(1);
+static const int64_t layout__RESOLUTION_STRIPS = INT64_C(2);
+static const int64_t layout__RESOLUTION_SWEEPS = INT64_C(3);
+static const int64_t layout__SIDE_OUTPUTS_SIZE = INT64_C(264);
+static const int64_t layout__SIDE_OUTPUTS_PATCH_COUNT = INT64_C(0);
+static const int64_t layout__SIDE_OUTPUTS_X_WHEEL = INT64_C(1);
+static const int64_t layout__SIDE_OUTPUTS_Y_WHEEL = INT64_C(2);
+static const int64_t layout__SIDE_OUTPUTS_Z_WHEEL = INT64_C(3);
+static const int64_t layout__SIDE_OUTPUTS_Y_RAIL = INT64_C(4);
+static const int64_t layout__SIDE_OUTPUTS_Z_RAIL = INT64_C(5);
+static const int64_t layout__SIDE_OUTPUTS_X_TRACK = INT64_C(6);
+static const int64_t layout__SIDE_OUTPUTS_Y_TRACK = INT64_C(7);
+static const int64_t layout__SIDE_OUTPUTS_Z_TRACK = INT64_C(8);
+static const int64_t layout__SIDE_OUTPUTS_CONTACT_ANGLE = INT64_C(9);
+static const int64_t layout__SIDE_OUTPUTS_ROLLING_RADIUS = INT64_C(10);
+static const int64_t layout__SIDE_OUTPUTS_CURVATURE_X = INT64_C(11);
+static const int64_t layout__SIDE_OUTPUTS_CURVATURE_Y = INT64_C(12);
+static const int64_t layout__SIDE_OUTPUTS_PENETRATION = INT64_C(13);
+static const int64_t layout__SIDE_OUTPUTS_NORMAL_FORCE = INT64_C(14);
+static const int64_t layout__SIDE_OUTPUTS_AREA = INT64_C(15);
+static const int64_t layout__SIDE_OUTPUTS_MAX_PRESSURE = INT64_C(16);
+static const int64_t layout__SIDE_OUTPUTS_PATCH_LENGTH = INT64_C(17);
+static const int64_t layout__SIDE_OUTPUTS_PATCH_WIDTH = INT64_C(18);
+static const int64_t layout__SIDE_OUTPUTS_PATCH_CENTROID = INT64_C(19);
+static const int64_t layout__SIDE_OUTPUTS_FORCE = INT64_C(20);
+static const int64_t layout__SIDE_OUTPUTS_MOMENT = INT64_C(23);
+static const int64_t layout__SIDE_OUTPUTS_NORMAL_PART = INT64_C(26);
+static const int64_t layout__SIDE_OUTPUTS_NORMAL_MOMENT = INT64_C(29);
+static const int64_t layout__SIDE_OUTPUTS_FRICTION_POWER = INT64_C(32);
+static const int64_t layout__SIDE_OUTPUTS_WEAR_NUMBER = INT64_C(33);
+static const int64_t layout__SIDE_OUTPUTS_PATCH = INT64_C(34);
+static const int64_t layout__SIDE_OUTPUTS_STATION = INT64_C(109);
+static const int64_t layout__SIDE_OUTPUTS_HALF_LENGTH = INT64_C(140);
+static const int64_t layout__SIDE_OUTPUTS_PRESSURE = INT64_C(171);
+static const int64_t layout__SIDE_OUTPUTS_SHEAR = INT64_C(202);
+static const int64_t layout__SIDE_OUTPUTS_SLIP = INT64_C(233);
+static const int64_t layout__FORCES_SIZE = INT64_C(15);
+static const int64_t layout__FORCES_FORCE = INT64_C(0);
+static const int64_t layout__FORCES_MOMENT = INT64_C(3);
+static const int64_t layout__FORCES_NORMAL_FORCE = INT64_C(6);
+static const int64_t layout__FORCES_NORMAL_MOMENT = INT64_C(9);
+static const int64_t layout__FORCES_DRIVING_TORQUE = INT64_C(12);
+static const int64_t layout__FORCES_FRICTION_POWER = INT64_C(13);
+static const int64_t layout__FORCES_WEAR_NUMBER = INT64_C(14);
+static const int64_t layout__HERTZ_TABLE_SIZE = INT64_C(1000003);
+static const int64_t layout__HERTZ_TABLE_COUNT = INT64_C(0);
+static const int64_t layout__HERTZ_TABLE_START = INT64_C(1);
+static const int64_t layout__HERTZ_TABLE_CELLS_PER_UNIT = INT64_C(2);
+static const int64_t layout__HERTZ_TABLE_ROWS = INT64_C(3);
+static const int64_t layout__INFLUENCE_TABLE_SIZE = INT64_C(1000000);
+static const int64_t layout__INFLUENCE_TABLE_NUMBERS = INT64_C(0);
+static const int64_t layout__OUTLINE_SIZE = INT64_C(1005);
+static const int64_t layout__OUTLINE_NUMBERS = INT64_C(0);
+static const int64_t layout__PATCH_TOTALS = INT64_C(0);
+static const int64_t layout__PATCH_PRESSURE_SQUARE = INT64_C(9);
+static const int64_t layout__PATCH_HALF_LENGTH_SQUARE = INT64_C(10);
+static const int64_t layout__PATCH_LOADS = INT64_C(11);
+static const int64_t layout__PATCH_MOMENTS = INT64_C(14);
+static const int64_t layout__PATCH_RANK = INT64_C(17);
+static const int64_t layout__PATCH_RULE = INT64_C(18);
+static const int64_t layout__PATCH_FIRST = INT64_C(19);
+static const int64_t layout__PATCH_LAST = INT64_C(20);
+static const int64_t layout__PATCH_SLANT = INT64_C(21);
+static const int64_t layout__PATCH_RAIL = INT64_C(22);
+static const int64_t layout__PATCH_WHEEL = INT64_C(23);
+static const int64_t layout__PATCH_STATION = INT64_C(24);
+static const int64_t layout__PATCH_X = INT64_C(25);
+static const int64_t layout__PATCH_PENETRATION = INT64_C(26);
+static const int64_t layout__PATCH_CONTACT_ANGLE = INT64_C(27);
+static const int64_t layout__PATCH_X_TRACK = INT64_C(28);
+static const int64_t layout__PATCH_Y_TRACK = INT64_C(29);
+static const int64_t layout__PATCH_Z_TRACK = INT64_C(30);
+static const int64_t layout__PATCH_ROLLING_RADIUS = INT64_C(31);
+static const int64_t layout__PATCH_NORMAL_Y = INT64_C(32);
+static const int64_t layout__PATCH_NORMAL_Z = INT64_C(33);
+static const int64_t layout__PATCH_NORMAL_MOMENT = INT64_C(34);
+static const int64_t layout__PATCH_HALF_LENGTH = INT64_C(37);
+static const int64_t layout__PATCH_HALF_WIDTH = INT64_C(38);
+static const int64_t layout__PATCH_FRICTION = INT64_C(39);
+static const int64_t layout__PATCH_SPEED = INT64_C(40);
+static const int64_t layout__PATCH_CREEPAGE_X = INT64_C(41);
+static const int64_t layout__PATCH_CREEPAGE_Y = INT64_C(42);
+static const int64_t layout__PATCH_SPIN = INT64_C(43);
+static const int64_t layout__PATCH_RADIUS_SHARE = INT64_C(44);
+static const int64_t layout__PATCH_BACKWARDS = INT64_C(45);
+static const int64_t layout__PATCH_STRIPS = INT64_C(46);
+static const int64_t layout__PATCH_CREEP_X = INT64_C(302);
+static const int64_t layout__PATCH_CREEP_Y = INT64_C(303);
+static const int64_t layout__PATCH_CREEP_MOMENT = INT64_C(304);
+static const int64_t layout__PATCH_STICK_SHARE = INT64_C(305);
+static const int64_t layout__PATCH_MAX_SHEAR = INT64_C(306);
+static const int64_t layout__PATCH_SATURATION = INT64_C(307);
+static const int64_t layout__PATCH_FORCES = INT64_C(308);
+static const int64_t layout__STRIP_PROBLEM_SIZE = INT64_C(25076);
+static const int64_t layout__STRIP_PROBLEM_PENETRATION = INT64_C(0);
+static const int64_t layout__STRIP_PROBLEM_COUNT = INT64_C(1);
+static const int64_t layout__STRIP_PROBLEM_CELL_COUNT = INT64_C(2);
+static const int64_t layout__STRIP_PROBLEM_ZONES = INT64_C(3);
+static const int64_t layout__STRIP_PROBLEM_CELLS = INT64_C(12);
+static const int64_t layout__STRIP_PROBLEM_STRIPS = INT64_C(636);
+static const int64_t layout__STRIP_PROBLEM_LOADED = INT64_C(3340);
+static const int64_t layout__STRIP_PROBLEM_NEAR = INT64_C(3444);
+static const int64_t layout__STRIP_PROBLEM_INFLUENCES = INT64_C(14260);
+static const int64_t layout__ROLL_TRIALS_SIZE = INT64_C(244);
+static const int64_t layout__ROLL_TRIALS_NEAR = INT64_C(0);
+static const int64_t layout__ROLL_TRIALS_FAR = INT64_C(4);
+static const int64_t layout__SCAN_SIZE = INT64_C(17000009);
+static const int64_t layout__SCAN_COUNT = INT64_C(0);
+static const int64_t layout__SCAN_RAIL_COUNT = INT64_C(1);
+static const int64_t layout__SCAN_RAIL_START = INT64_C(2);
+static const int64_t layout__SCAN_RAIL_PER_METRE = INT64_C(3);
+static const int64_t layout__SCAN_RAIL = INT64_C(4);
+static const int64_t layout__SCAN_BINS = INT64_C(5);
+static const int64_t layout__SCAN_BIN_COUNT = INT64_C(6);
+static const int64_t layout__SCAN_BINS_PER_METRE = INT64_C(7);
+static const int64_t layout__SCAN_STEEPEST = INT64_C(8);
+static const int64_t layout__SCAN_NODES = INT64_C(9);
+static const int64_t layout__STARTS_COUNT = INT64_C(0);
+static const int64_t layout__STARTS_FIRST_SHIFT = INT64_C(1);
+static const int64_t layout__STARTS_PER_METRE = INT64_C(2);
+static const int64_t layout__STARTS_ROWS = INT64_C(3);
+static const int64_t layout__WHEELSET_SIZE = INT64_C(17);
+static const int64_t layout__WHEELSET_ROLL = INT64_C(0);
+static const int64_t layout__WHEELSET_VERTICAL_SHIFT = INT64_C(1);
+static const int64_t layout__WHEELSET_FORCES = INT64_C(2);
+static const int64_t layout__SUPPORT_SIZE = INT64_C(6);
+static const int64_t layout__SUPPORT_APPROACH = INT64_C(0);
+static const int64_t layout__SUPPORT_HEIGHT = INT64_C(1);
+static const int64_t layout__SUPPORT_LEVER = INT64_C(2);
+static const int64_t layout__SUPPORT_FRICTION_LOAD = INT64_C(3);
+static const int64_t layout__SUPPORT_LOAD_BEFORE = INT64_C(4);
+static const int64_t layout__SUPPORT_SHARE_BEFORE = INT64_C(5);
+static const int64_t layout__BROYDEN_SIZE = INT64_C(8);
+static const int64_t layout__BROYDEN_LEFT = INT64_C(0);
+static const int64_t layout__BROYDEN_RIGHT = INT64_C(1);
+static const int64_t layout__BROYDEN_LEFT_HEIGHT = INT64_C(2);
+static const int64_t layout__BROYDEN_LEFT_ROLL = INT64_C(3);
+static const int64_t layout__BROYDEN_RIGHT_HEIGHT = INT64_C(4);
+static const int64_t layout__BROYDEN_RIGHT_ROLL = INT64_C(5);
+static const int64_t layout__BROYDEN_MOVE_HEIGHT = INT64_C(6);
+static const int64_t layout__BROYDEN_MOVE_ROLL = INT64_C(7);
+static const int64_t layout__BRACKET_SIZE = INT64_C(4);
+static const int64_t layout__BRACKET_LOW = INT64_C(0);
+static const int64_t layout__BRACKET_HIGH = INT64_C(1);
+static const int64_t layout__BRACKET_AT_LOW = INT64_C(2);
+static const int64_t layout__BRACKET_AT_HIGH = INT64_C(3);
+static const int64_t layout__REFERENCE_SIZE = INT64_C(8);
+static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
+static const int64_t layout__REFERENCE_RESIDUAL = INT64_C(1);
+static const int64_t layout__REFERENCE_SLOPE = INT64_C(2);
+static const int64_t layout__REFERENCE_CONTACTS = INT64_C(3);
+static const int64_t layout__REFERENCE_WITHIN = INT64_C(4);
+static const int64_t layout__TABLES_SIZE = INT64_C(63);
+static const int64_t layout__TABLES_RADIUS = INT64_C(0);
+static const int64_t layout__TABLES_HEIGHT = INT64_C(1);
+static const int64_t layout__TABLES_ARM = INT64_C(2);
+static const int64_t layout__TABLES_RAIL_Y = INT64_C(3);
+static const int64_t layout__TABLES_CONTACT_MODULUS = INT64_C(4);
+static const int64_t layout__TABLES_LATERAL_LIMIT = INT64_C(5);
+static const int64_t layout__TABLES_YAW_LIMIT = INT64_C(6);
+static const int64_t layout__TABLES_WHEEL = INT64_C(7);
+static const int64_t layout__TABLES_RAIL = INT64_C(8);
+static const int64_t layout__TABLES_SCAN = INT64_C(9);
+static const int64_t layout__TABLES_HERTZ = INT64_C(10);
+static const int64_t layout__TABLES_NORMAL_MODEL = INT64_C(11);
+static const int64_t layout__TABLES_LONGITUDINAL = INT64_C(12);
+static const int64_t layout__TABLES_PENETRATION = INT64_C(13);
+static const int64_t layout__TABLES_NODES = INT64_C(15);
+static const int64_t layout__TABLES_STRIDE = INT64_C(16);
+static const int64_t layout__TABLES_STRIPS = INT64_C(17);
+static const int64_t layout__TABLES_SWEEPS = INT64_C(18);
+static const int64_t layout__TABLES_INFLUENCE = INT64_C(19);
+static const int64_t layout__TABLES_STARTS = INT64_C(20);
+static const int64_t layout__TABLES_SIDES = INT64_C(21);
+static const int64_t layout__TABLES_DEPTH = INT64_C(22);
+static const int64_t layout__TABLES_ABSENT = INT64_C(23);
+static const int64_t layout__TABLES_STATIONS = INT64_C(24);
+static const int64_t layout__TABLES_SEPARATION = INT64_C(25);
+static const int64_t layout__TABLES_LATERAL = INT64_C(26);
+static const int64_t layout__TABLES_WHEEL_CURVATURE = INT64_C(27);
+static const int64_t layout__TABLES_RAIL_CURVATURE = INT64_C(28);
+static const int64_t layout__TABLES_RAIL_ARC = INT64_C(29);
+static const int64_t layout__TABLES_RAIL_AT_ARC = INT64_C(30);
+static const int64_t layout__TABLES_MODE = INT64_C(31);
+static const int64_t layout__TABLES_LOAD = INT64_C(32);
+static const int64_t layout__TABLES_TANGENTIAL = INT64_C(33);
+static const int64_t layout__TABLES_SHEAR_MODULUS = INT64_C(34);
+static const int64_t layout__TABLES_ROLLING = INT64_C(35);
+static const int64_t layout__TABLES_PARAMETERS = INT64_C(36);
+static const int64_t layout__CONTACT_SIZE = INT64_C(49216);
+static const int64_t layout__CONTACT_FILLING = INT64_C(0);
+static const int64_t layout__CONTACT_COARSE = INT64_C(1);
+static const int64_t layout__CONTACT_FOLLOWING = INT64_C(2);
+static const int64_t layout__CONTACT_FRAME = INT64_C(3);
+static const int64_t layout__CONTACT_REGIONS = INT64_C(30);
+static const int64_t layout__CONTACT_NODES = INT64_C(141);
+static const int64_t layout__CONTACT_STRIPS = INT64_C(5517);
+static const int64_t layout__CONTACT_STRIP_PROBLEM = INT64_C(10893);
+static const int64_t layout__CONTACT_EQUATIONS = INT64_C(35969);
+static const int64_t layout__CONTACT_ORIGIN = INT64_C(46993);
+static const int64_t layout__CONTACT_FRAMES = INT64_C(47000);
+static const int64_t layout__CONTACT_OVERLAP = INT64_C(47108);
+static const int64_t layout__CONTACT_DEEP_POINTS = INT64_C(49184);
+static const int64_t layout__PIECE_START = INT64_C(0);
+static const int64_t layout__PIECE_C0 = INT64_C(1);
+static const int64_t layout__PIECE_C1 = INT64_C(2);
+static const int64_t layout__PIECE_C2 = INT64_C(3);
+static const int64_t layout__PIECE_C3 = INT64_C(4);
+static const int64_t layout__PIECE_C4 = INT64_C(5);
+static const int64_t layout__PIECE_C5 = INT64_C(6);
+static const int64_t layout__CUBIC_VALUE = INT64_C(0);
+static const int64_t layout__CUBIC_SLOPE = INT64_C(1);
+static const int64_t layout__CUBIC_BEND = INT64_C(2);
+static const int64_t layout__CUBIC_THIRD = INT64_C(3);
 static const int64_t layout__PLACE_SHIFT = INT64_C(0);
 static const int64_t layout__PLACE_SIN_YAW = INT64_C(1);
 static const int64_t layout__PLACE_COS_YAW = INT64_C(2);
@@ -340,29 +660,6 @@ static const int64_t layout__TRACE_SIZE = INT64_C(3);
 static const int64_t layout__TRACE_ABSCISSA = INT64_C(0);
 static const int64_t layout__TRACE_RATE = INT64_C(1);
 static const int64_t layout__TRACE_BEND = INT64_C(2);
-static const int64_t layout__FRAME_RAIL = INT64_C(0);
-static const int64_t layout__FRAME_WHEEL = INT64_C(2);
-static const int64_t layout__FRAME_PLANE = INT64_C(4);
-static const int64_t layout__FRAME_WHEEL_PLANE = INT64_C(6);
-static const int64_t layout__FRAME_PLACE = INT64_C(8);
-static const int64_t layout__FRAME_ASIDE = INT64_C(9);
-static const int64_t layout__FRAME_SHIFT = INT64_C(10);
-static const int64_t layout__FRAME_LIFT = INT64_C(11);
-static const int64_t layout__FRAME_RAISED = INT64_C(12);
-static const int64_t layout__FRAME_STATION = INT64_C(13);
-static const int64_t layout__FRAME_TRACES = INT64_C(14);
-static const int64_t layout__FRAME_PRESSED = INT64_C(20);
-static const int64_t layout__FRAME_SUNK = INT64_C(21);
-static const int64_t layout__FRAME_HEIGHT = INT64_C(22);
-static const int64_t layout__FRAME_DEPTH = INT64_C(23);
-static const int64_t layout__FRAME_BEND = INT64_C(24);
-static const int64_t layout__FRAME_CURVATURE = INT64_C(25);
-static const int64_t layout__FRAME_BLUR = INT64_C(26);
-static const int64_t layout__ORIGIN_SIZE = INT64_C(7);
-static const int64_t layout__ORIGIN_STATION = INT64_C(0);
-static const int64_t layout__ORIGIN_GAP = INT64_C(1);
-static const int64_t layout__ORIGIN_POINTS = INT64_C(2);
-static const int64_t layout__ORIGIN_SPACING = INT64_C(6);
 static const int64_t layout__REGION_STATION = INT64_C(0);
 static const int64_t layout__REGION_GAP = INT64_C(1);
 static const int64_t layout__REGION_RAIL = INT64_C(2);
@@ -406,9 +703,6 @@ static const int64_t layout__DEEP_POINT_WHEEL = INT64_C(1);
 static const int64_t layout__DEEP_POINT_DEPTH = INT64_C(2);
 static const int64_t layout__DEEP_POINT_SADDLE = INT64_C(3);
 static const int64_t layout__DEEP_POINT_BETWEEN = INT64_C(4);
-static const int64_t layout__DEEP_POINTS_SIZE = INT64_C(16);
-static const int64_t layout__DEEP_POINTS_COUNT = INT64_C(0);
-static const int64_t layout__DEEP_POINTS_POINTS = INT64_C(1);
 static const int64_t layout__SAMPLES_SIZE = INT64_C(2000);
 static const int64_t layout__SAMPLES_RAIL = INT64_C(0);
 static const int64_t layout__SAMPLES_WHEEL = INT64_C(400);
@@ -433,89 +727,6 @@ static const int64_t layout__STRETCH_WHEEL = INT64_C(25);
 static const int64_t layout__STRETCH_WIDTH = INT64_C(26);
 static const int64_t layout__STRETCH_LEAST = INT64_C(27);
 static const int64_t layout__STRETCH_MOST = INT64_C(28);
-static const int64_t layout__OVERLAP_SIZE = INT64_C(2076);
-static const int64_t layout__OVERLAP_COUNT = INT64_C(0);
-static const int64_t layout__OVERLAP_HEIGHT = INT64_C(1);
-static const int64_t layout__OVERLAP_POINTS = INT64_C(2);
-static const int64_t layout__OVERLAP_SAMPLES = INT64_C(47);
-static const int64_t layout__OVERLAP_STRETCH = INT64_C(2047);
-static const int64_t layout__INPUTS_SIZE = INT64_C(29);
-static const int64_t layout__INPUTS_LATERAL_SHIFT = INT64_C(0);
-static const int64_t layout__INPUTS_YAW = INT64_C(1);
-static const int64_t layout__INPUTS_ROLL_GUESS = INT64_C(2);
-static const int64_t layout__INPUTS_NORMAL_FORCE = INT64_C(3);
-static const int64_t layout__INPUTS_LOAD_TRANSFER = INT64_C(4);
-static const int64_t layout__INPUTS_VERTICAL_SHIFT = INT64_C(5);
-static const int64_t layout__INPUTS_ROLL = INT64_C(6);
-static const int64_t layout__INPUTS_LEFT_RAIL_LATERAL = INT64_C(7);
-static const int64_t layout__INPUTS_LEFT_RAIL_VERTICAL = INT64_C(8);
-static const int64_t layout__INPUTS_LEFT_RAIL_ROLL = INT64_C(9);
-static const int64_t layout__INPUTS_RIGHT_RAIL_LATERAL = INT64_C(10);
-static const int64_t layout__INPUTS_RIGHT_RAIL_VERTICAL = INT64_C(11);
-static const int64_t layout__INPUTS_RIGHT_RAIL_ROLL = INT64_C(12);
-static const int64_t layout__INPUTS_SPEED = INT64_C(13);
-static const int64_t layout__INPUTS_LATERAL_VELOCITY = INT64_C(14);
-static const int64_t layout__INPUTS_VERTICAL_VELOCITY = INT64_C(15);
-static const int64_t layout__INPUTS_YAW_RATE = INT64_C(16);
-static const int64_t layout__INPUTS_ROLL_RATE = INT64_C(17);
-static const int64_t layout__INPUTS_WHEEL_RATE = INT64_C(18);
-static const int64_t layout__INPUTS_FREE_ROLLING = INT64_C(19);
-static const int64_t layout__INPUTS_TRACK_CURVATURE = INT64_C(20);
-static const int64_t layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY = INT64_C(21);
-static const int64_t layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY = INT64_C(22);
-static const int64_t layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY = INT64_C(23);
-static const int64_t layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY = INT64_C(24);
-static const int64_t layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY = INT64_C(25);
-static const int64_t layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY = INT64_C(26);
-static const int64_t layout__INPUTS_LEFT_FRICTION = INT64_C(27);
-static const int64_t layout__INPUTS_RIGHT_FRICTION = INT64_C(28);
-static const int64_t layout__SIDE_OUTPUTS_SIZE = INT64_C(264);
-static const int64_t layout__SIDE_OUTPUTS_PATCH_COUNT = INT64_C(0);
-static const int64_t layout__SIDE_OUTPUTS_X_WHEEL = INT64_C(1);
-static const int64_t layout__SIDE_OUTPUTS_Y_WHEEL = INT64_C(2);
-static const int64_t layout__SIDE_OUTPUTS_Z_WHEEL = INT64_C(3);
-static const int64_t layout__SIDE_OUTPUTS_Y_RAIL = INT64_C(4);
-static const int64_t layout__SIDE_OUTPUTS_Z_RAIL = INT64_C(5);
-static const int64_t layout__SIDE_OUTPUTS_X_TRACK = INT64_C(6);
-static const int64_t layout__SIDE_OUTPUTS_Y_TRACK = INT64_C(7);
-static const int64_t layout__SIDE_OUTPUTS_Z_TRACK = INT64_C(8);
-static const int64_t layout__SIDE_OUTPUTS_CONTACT_ANGLE = INT64_C(9);
-static const int64_t layout__SIDE_OUTPUTS_ROLLING_RADIUS = INT64_C(10);
-static const int64_t layout__SIDE_OUTPUTS_CURVATURE_X = INT64_C(11);
-static const int64_t layout__SIDE_OUTPUTS_CURVATURE_Y = INT64_C(12);
-static const int64_t layout__SIDE_OUTPUTS_PENETRATION = INT64_C(13);
-static const int64_t layout__SIDE_OUTPUTS_NORMAL_FORCE = INT64_C(14);
-static const int64_t layout__SIDE_OUTPUTS_AREA = INT64_C(15);
-static const int64_t layout__SIDE_OUTPUTS_MAX_PRESSURE = INT64_C(16);
-static const int64_t layout__SIDE_OUTPUTS_PATCH_LENGTH = INT64_C(17);
-static const int64_t layout__SIDE_OUTPUTS_PATCH_WIDTH = INT64_C(18);
-static const int64_t layout__SIDE_OUTPUTS_PATCH_CENTROID = INT64_C(19);
-static const int64_t layout__SIDE_OUTPUTS_FORCE = INT64_C(20);
-static const int64_t layout__SIDE_OUTPUTS_MOMENT = INT64_C(23);
-static const int64_t layout__SIDE_OUTPUTS_NORMAL_PART = INT64_C(26);
-static const int64_t layout__SIDE_OUTPUTS_NORMAL_MOMENT = INT64_C(29);
-static const int64_t layout__SIDE_OUTPUTS_FRICTION_POWER = INT64_C(32);
-static const int64_t layout__SIDE_OUTPUTS_WEAR_NUMBER = INT64_C(33);
-static const int64_t layout__SIDE_OUTPUTS_PATCH = INT64_C(34);
-static const int64_t layout__SIDE_OUTPUTS_STATION = INT64_C(109);
-static const int64_t layout__SIDE_OUTPUTS_HALF_LENGTH = INT64_C(140);
-static const int64_t layout__SIDE_OUTPUTS_PRESSURE = INT64_C(171);
-static const int64_t layout__SIDE_OUTPUTS_SHEAR = INT64_C(202);
-static const int64_t layout__SIDE_OUTPUTS_SLIP = INT64_C(233);
-static const int64_t layout__OUTPUTS_SIZE = INT64_C(543);
-static const int64_t layout__OUTPUTS_ROLL = INT64_C(0);
-static const int64_t layout__OUTPUTS_VERTICAL_SHIFT = INT64_C(1);
-static const int64_t layout__OUTPUTS_FORCE = INT64_C(2);
-static const int64_t layout__OUTPUTS_MOMENT = INT64_C(5);
-static const int64_t layout__OUTPUTS_NORMAL_PART = INT64_C(8);
-static const int64_t layout__OUTPUTS_NORMAL_MOMENT = INT64_C(11);
-static const int64_t layout__OUTPUTS_DRIVING_TORQUE = INT64_C(14);
-static const int64_t layout__OUTPUTS_LEFT = INT64_C(15);
-static const int64_t layout__RESOLUTION_SIZE = INT64_C(4);
-static const int64_t layout__RESOLUTION_NODES = INT64_C(0);
-static const int64_t layout__RESOLUTION_STRIDE = INT64_C(1);
-static const int64_t layout__RESOLUTION_STRIPS = INT64_C(2);
-static const int64_t layout__RESOLUTION_SWEEPS = INT64_C(3);
 static const int64_t layout__RAIL_MOTION_SIZE = INT64_C(5);
 static const int64_t layout__RAIL_MOTION_LATERAL = INT64_C(0);
 static const int64_t layout__RAIL_MOTION_VERTICAL = INT64_C(1);
@@ -544,305 +755,6 @@ static const int64_t layout__MOTION_CENTRE_Y = INT64_C(11);
 static const int64_t layout__MOTION_CENTRE_Z = INT64_C(12);
 static const int64_t layout__MOTION_RAIL = INT64_C(13);
 static const int64_t layout__MOTION_CONSTRAINT = INT64_C(18);
-static const int64_t layout__CUBIC_VALUE = INT64_C(0);
-static const int64_t layout__CUBIC_SLOPE = INT64_C(1);
-static const int64_t layout__CUBIC_BEND = INT64_C(2);
-static const int64_t layout__CUBIC_THIRD = INT64_C(3);
-static const int64_t layout__NODES_SIZE = INT64_C(1792);
-static const int64_t layout__NODES_GAP = INT64_C(0);
-static const int64_t layout__NODES_A = INT64_C(256);
-static const int64_t layout__NODES_RISE = INT64_C(512);
-static const int64_t layout__NODES_LINE = INT64_C(768);
-static const int64_t layout__NODES_LENGTH = INT64_C(1024);
-static const int64_t layout__NODES_B = INT64_C(1280);
-static const int64_t layout__NODES_TURN = INT64_C(1536);
-static const int64_t layout__STRIP_ZONE_SIZE = INT64_C(3);
-static const int64_t layout__STRIP_ZONE_START = INT64_C(0);
-static const int64_t layout__STRIP_ZONE_STOP = INT64_C(1);
-static const int64_t layout__STRIP_ZONE_LEVEL = INT64_C(2);
-static const int64_t layout__STRIP_CELL_SIZE = INT64_C(6);
-static const int64_t layout__STRIP_CELL_START = INT64_C(0);
-static const int64_t layout__STRIP_CELL_STOP = INT64_C(1);
-static const int64_t layout__STRIP_CELL_WEIGHT = INT64_C(2);
-static const int64_t layout__STRIP_CELL_HALF_LENGTH = INT64_C(3);
-static const int64_t layout__STRIP_CELL_LEAD = INT64_C(4);
-static const int64_t layout__STRIP_CELL_LOADED = INT64_C(5);
-static const int64_t layout__STRIP_SIZE = INT64_C(26);
-static const int64_t layout__STRIP_STATION = INT64_C(0);
-static const int64_t layout__STRIP_WIDTH = INT64_C(1);
-static const int64_t layout__STRIP_REGION = INT64_C(2);
-static const int64_t layout__STRIP_JOINED = INT64_C(3);
-static const int64_t layout__STRIP_PLACE = INT64_C(4);
-static const int64_t layout__STRIP_BREADTH = INT64_C(5);
-static const int64_t layout__STRIP_COS = INT64_C(6);
-static const int64_t layout__STRIP_SIN = INT64_C(7);
-static const int64_t layout__STRIP_OVERLAP = INT64_C(8);
-static const int64_t layout__STRIP_RISE = INT64_C(9);
-static const int64_t layout__STRIP_WHEEL = INT64_C(10);
-static const int64_t layout__STRIP_X = INT64_C(11);
-static const int64_t layout__STRIP_A = INT64_C(12);
-static const int64_t layout__STRIP_SKEW = INT64_C(13);
-static const int64_t layout__STRIP_SHARE = INT64_C(14);
-static const int64_t layout__STRIP_COUNTED = INT64_C(15);
-static const int64_t layout__STRIP_GAP = INT64_C(16);
-static const int64_t layout__STRIP_LOADED = INT64_C(17);
-static const int64_t layout__STRIP_KNOWN = INT64_C(18);
-static const int64_t layout__STRIP_HALF_LENGTH = INT64_C(19);
-static const int64_t layout__STRIP_LEAD = INT64_C(20);
-static const int64_t layout__STRIP_Y = INT64_C(21);
-static const int64_t layout__STRIP_LINE_LOAD = INT64_C(22);
-static const int64_t layout__STRIP_HALF_LENGTH_SQUARE = INT64_C(23);
-static const int64_t layout__STRIP_PRESSURE = INT64_C(24);
-static const int64_t layout__STRIP_NEXT_LEAD = INT64_C(25);
-static const int64_t layout__STRIP_PROBLEM_SIZE = INT64_C(25076);
-static const int64_t layout__STRIP_PROBLEM_PENETRATION = INT64_C(0);
-static const int64_t layout__STRIP_PROBLEM_COUNT = INT64_C(1);
-static const int64_t layout__STRIP_PROBLEM_CELL_COUNT = INT64_C(2);
-static const int64_t layout__STRIP_PROBLEM_ZONES = INT64_C(3);
-static const int64_t layout__STRIP_PROBLEM_CELLS = INT64_C(12);
-static const int64_t layout__STRIP_PROBLEM_STRIPS = INT64_C(636);
-static const int64_t layout__STRIP_PROBLEM_LOADED = INT64_C(3340);
-static const int64_t layout__STRIP_PROBLEM_NEAR = INT64_C(3444);
-static const int64_t layout__STRIP_PROBLEM_INFLUENCES = INT64_C(14260);
-static const int64_t layout__INFLUENCE_TABLE_SIZE = INT64_C(1000000);
-static const int64_t layout__INFLUENCE_TABLE_NUMBERS = INT64_C(0);
-static const int64_t layout__HERTZ_TABLE_SIZE = INT64_C(1000003);
-static const int64_t layout__HERTZ_TABLE_COUNT = INT64_C(0);
-static const int64_t layout__HERTZ_TABLE_START = INT64_C(1);
-static const int64_t layout__HERTZ_TABLE_CELLS_PER_UNIT = INT64_C(2);
-static const int64_t layout__HERTZ_TABLE_ROWS = INT64_C(3);
-static const int64_t layout__TABLES_SIZE = INT64_C(63);
-static const int64_t layout__TABLES_RADIUS = INT64_C(0);
-static const int64_t layout__TABLES_HEIGHT = INT64_C(1);
-static const int64_t layout__TABLES_ARM = INT64_C(2);
-static const int64_t layout__TABLES_RAIL_Y = INT64_C(3);
-static const int64_t layout__TABLES_CONTACT_MODULUS = INT64_C(4);
-static const int64_t layout__TABLES_LATERAL_LIMIT = INT64_C(5);
-static const int64_t layout__TABLES_YAW_LIMIT = INT64_C(6);
-static const int64_t layout__TABLES_WHEEL = INT64_C(7);
-static const int64_t layout__TABLES_RAIL = INT64_C(8);
-static const int64_t layout__TABLES_SCAN = INT64_C(9);
-static const int64_t layout__TABLES_HERTZ = INT64_C(10);
-static const int64_t layout__TABLES_NORMAL_MODEL = INT64_C(11);
-static const int64_t layout__TABLES_LONGITUDINAL = INT64_C(12);
-static const int64_t layout__TABLES_PENETRATION = INT64_C(13);
-static const int64_t layout__TABLES_NODES = INT64_C(15);
-static const int64_t layout__TABLES_STRIDE = INT64_C(16);
-static const int64_t layout__TABLES_STRIPS = INT64_C(17);
-static const int64_t layout__TABLES_SWEEPS = INT64_C(18);
-static const int64_t layout__TABLES_INFLUENCE = INT64_C(19);
-static const int64_t layout__TABLES_STARTS = INT64_C(20);
-static const int64_t layout__TABLES_SIDES = INT64_C(21);
-static const int64_t layout__TABLES_DEPTH = INT64_C(22);
-static const int64_t layout__TABLES_ABSENT = INT64_C(23);
-static const int64_t layout__TABLES_STATIONS = INT64_C(24);
-static const int64_t layout__TABLES_SEPARATION = INT64_C(25);
-static const int64_t layout__TABLES_LATERAL = INT64_C(26);
-static const int64_t layout__TABLES_WHEEL_CURVATURE = INT64_C(27);
-static const int64_t layout__TABLES_RAIL_CURVATURE = INT64_C(28);
-static const int64_t layout__TABLES_RAIL_ARC = INT64_C(29);
-static const int64_t layout__TABLES_RAIL_AT_ARC = INT64_C(30);
-static const int64_t layout__TABLES_MODE = INT64_C(31);
-static const int64_t layout__TABLES_LOAD = INT64_C(32);
-static const int64_t layout__TABLES_TANGENTIAL = INT64_C(33);
-static const int64_t layout__TABLES_SHEAR_MODULUS = INT64_C(34);
-static const int64_t layout__TABLES_ROLLING = INT64_C(35);
-static const int64_t layout__TABLES_PARAMETERS = INT64_C(36);
-static const int64_t layout__SOLVED_STRIP_SIZE = INT64_C(7);
-static const int64_t layout__SOLVED_STRIP_STATION = INT64_C(0);
-static const int64_t layout__SOLVED_STRIP_WIDTH = INT64_C(1);
-static const int64_t layout__SOLVED_STRIP_X = INT64_C(2);
-static const int64_t layout__SOLVED_STRIP_CURVATURE = INT64_C(3);
-static const int64_t layout__SOLVED_STRIP_LINE_LOAD = INT64_C(4);
-static const int64_t layout__SOLVED_STRIP_HALF_LENGTH_SQUARE = INT64_C(5);
-static const int64_t layout__SOLVED_STRIP_PRESSURE_SQUARE = INT64_C(6);
-static const int64_t layout__PATCH_TOTALS_SIZE = INT64_C(9);
-static const int64_t layout__PATCH_TOTALS_LOAD = INT64_C(0);
-static const int64_t layout__PATCH_TOTALS_AREA = INT64_C(1);
-static const int64_t layout__PATCH_TOTALS_MOMENT = INT64_C(2);
-static const int64_t layout__PATCH_TOTALS_CENTROID = INT64_C(3);
-static const int64_t layout__PATCH_TOTALS_MAX_PRESSURE = INT64_C(4);
-static const int64_t layout__PATCH_TOTALS_MAX_HALF_LENGTH = INT64_C(5);
-static const int64_t layout__PATCH_TOTALS_START = INT64_C(6);
-static const int64_t layout__PATCH_TOTALS_STOP = INT64_C(7);
-static const int64_t layout__PATCH_TOTALS_WIDTH = INT64_C(8);
-static const int64_t layout__ROLLING_STRIP_SIZE = INT64_C(16);
-static const int64_t layout__ROLLING_STRIP_START = INT64_C(0);
-static const int64_t layout__ROLLING_STRIP_STOP = INT64_C(1);
-static const int64_t layout__ROLLING_STRIP_STATION = INT64_C(2);
-static const int64_t layout__ROLLING_STRIP_Y = INT64_C(3);
-static const int64_t layout__ROLLING_STRIP_WIDTH = INT64_C(4);
-static const int64_t layout__ROLLING_STRIP_X = INT64_C(5);
-static const int64_t layout__ROLLING_STRIP_HALF_LENGTH = INT64_C(6);
-static const int64_t layout__ROLLING_STRIP_LINE_LOAD = INT64_C(7);
-static const int64_t layout__ROLLING_STRIP_SLIP = INT64_C(8);
-static const int64_t layout__ROLLING_STRIP_Y_TRACK = INT64_C(9);
-static const int64_t layout__ROLLING_STRIP_Z_TRACK = INT64_C(10);
-static const int64_t layout__ROLLING_STRIP_ROLLING_RADIUS = INT64_C(11);
-static const int64_t layout__ROLLING_STRIP_RADIUS_SHARE = INT64_C(12);
-static const int64_t layout__ROLLING_STRIP_FORCE_X = INT64_C(13);
-static const int64_t layout__ROLLING_STRIP_FORCE_Y = INT64_C(14);
-static const int64_t layout__ROLLING_STRIP_MOMENT = INT64_C(15);
-static const int64_t layout__FORCES_SIZE = INT64_C(15);
-static const int64_t layout__FORCES_FORCE = INT64_C(0);
-static const int64_t layout__FORCES_MOMENT = INT64_C(3);
-static const int64_t layout__FORCES_NORMAL_FORCE = INT64_C(6);
-static const int64_t layout__FORCES_NORMAL_MOMENT = INT64_C(9);
-static const int64_t layout__FORCES_DRIVING_TORQUE = INT64_C(12);
-static const int64_t layout__FORCES_FRICTION_POWER = INT64_C(13);
-static const int64_t layout__FORCES_WEAR_NUMBER = INT64_C(14);
-static const int64_t layout__PATCH_TOTALS = INT64_C(0);
-static const int64_t layout__PATCH_PRESSURE_SQUARE = INT64_C(9);
-static const int64_t layout__PATCH_HALF_LENGTH_SQUARE = INT64_C(10);
-static const int64_t layout__PATCH_LOADS = INT64_C(11);
-static const int64_t layout__PATCH_MOMENTS = INT64_C(14);
-static const int64_t layout__PATCH_RANK = INT64_C(17);
-static const int64_t layout__PATCH_RULE = INT64_C(18);
-static const int64_t layout__PATCH_FIRST = INT64_C(19);
-static const int64_t layout__PATCH_LAST = INT64_C(20);
-static const int64_t layout__PATCH_SLANT = INT64_C(21);
-static const int64_t layout__PATCH_RAIL = INT64_C(22);
-static const int64_t layout__PATCH_WHEEL = INT64_C(23);
-static const int64_t layout__PATCH_STATION = INT64_C(24);
-static const int64_t layout__PATCH_X = INT64_C(25);
-static const int64_t layout__PATCH_PENETRATION = INT64_C(26);
-static const int64_t layout__PATCH_CONTACT_ANGLE = INT64_C(27);
-static const int64_t layout__PATCH_X_TRACK = INT64_C(28);
-static const int64_t layout__PATCH_Y_TRACK = INT64_C(29);
-static const int64_t layout__PATCH_Z_TRACK = INT64_C(30);
-static const int64_t layout__PATCH_ROLLING_RADIUS = INT64_C(31);
-static const int64_t layout__PATCH_NORMAL_Y = INT64_C(32);
-static const int64_t layout__PATCH_NORMAL_Z = INT64_C(33);
-static const int64_t layout__PATCH_NORMAL_MOMENT = INT64_C(34);
-static const int64_t layout__PATCH_HALF_LENGTH = INT64_C(37);
-static const int64_t layout__PATCH_HALF_WIDTH = INT64_C(38);
-static const int64_t layout__PATCH_FRICTION = INT64_C(39);
-static const int64_t layout__PATCH_SPEED = INT64_C(40);
-static const int64_t layout__PATCH_CREEPAGE_X = INT64_C(41);
-static const int64_t layout__PATCH_CREEPAGE_Y = INT64_C(42);
-static const int64_t layout__PATCH_SPIN = INT64_C(43);
-static const int64_t layout__PATCH_RADIUS_SHARE = INT64_C(44);
-static const int64_t layout__PATCH_BACKWARDS = INT64_C(45);
-static const int64_t layout__PATCH_STRIPS = INT64_C(46);
-static const int64_t layout__PATCH_CREEP_X = INT64_C(302);
-static const int64_t layout__PATCH_CREEP_Y = INT64_C(303);
-static const int64_t layout__PATCH_CREEP_MOMENT = INT64_C(304);
-static const int64_t layout__PATCH_STICK_SHARE = INT64_C(305);
-static const int64_t layout__PATCH_MAX_SHEAR = INT64_C(306);
-static const int64_t layout__PATCH_SATURATION = INT64_C(307);
-static const int64_t layout__PATCH_FORCES = INT64_C(308);
-static const int64_t layout__OUTLINE_SIZE = INT64_C(1005);
-static const int64_t layout__OUTLINE_NUMBERS = INT64_C(0);
-static const int64_t layout__SCAN_NODE_Y = INT64_C(0);
-static const int64_t layout__SCAN_NODE_HEIGHT = INT64_C(1);
-static const int64_t layout__SCAN_NODE_SLOPE = INT64_C(2);
-static const int64_t layout__SCAN_NODE_LEAST_BEND = INT64_C(3);
-static const int64_t layout__SCAN_NODE_MOST_BENDS = INT64_C(4);
-static const int64_t layout__SCAN_NODE_STEEPEST_BENDS = INT64_C(10);
-static const int64_t layout__SCAN_NODE_LEVER = INT64_C(16);
-static const int64_t layout__RAIL_CELL_LEAST_BEND = INT64_C(0);
-static const int64_t layout__RAIL_CELL_MOST_BEND = INT64_C(1);
-static const int64_t layout__RAIL_CELL_LEAST_BENDS = INT64_C(2);
-static const int64_t layout__SCAN_SIZE = INT64_C(17000009);
-static const int64_t layout__SCAN_COUNT = INT64_C(0);
-static const int64_t layout__SCAN_RAIL_COUNT = INT64_C(1);
-static const int64_t layout__SCAN_RAIL_START = INT64_C(2);
-static const int64_t layout__SCAN_RAIL_PER_METRE = INT64_C(3);
-static const int64_t layout__SCAN_RAIL = INT64_C(4);
-static const int64_t layout__SCAN_BINS = INT64_C(5);
-static const int64_t layout__SCAN_BIN_COUNT = INT64_C(6);
-static const int64_t layout__SCAN_BINS_PER_METRE = INT64_C(7);
-static const int64_t layout__SCAN_STEEPEST = INT64_C(8);
-static const int64_t layout__SCAN_NODES = INT64_C(9);
-static const int64_t layout__CELL_SIZE = INT64_C(6);
-static const int64_t layout__CELL_LOW = INT64_C(0);
-static const int64_t layout__CELL_HIGH = INT64_C(1);
-static const int64_t layout__CELL_GAP_LOW = INT64_C(2);
-static const int64_t layout__CELL_GAP_HIGH = INT64_C(3);
-static const int64_t layout__CELL_MISMATCH_LOW = INT64_C(4);
-static const int64_t layout__CELL_MISMATCH_HIGH = INT64_C(5);
-static const int64_t layout__CANDIDATE_SIZE = INT64_C(2);
-static const int64_t layout__CANDIDATE_Y = INT64_C(0);
-static const int64_t layout__CANDIDATE_RAIL = INT64_C(1);
-static const int64_t layout__CONTACT_POINT_SIZE = INT64_C(12);
-static const int64_t layout__CONTACT_POINT_X_WHEEL = INT64_C(0);
-static const int64_t layout__CONTACT_POINT_Y_WHEEL = INT64_C(1);
-static const int64_t layout__CONTACT_POINT_Z_WHEEL = INT64_C(2);
-static const int64_t layout__CONTACT_POINT_Y_RAIL = INT64_C(3);
-static const int64_t layout__CONTACT_POINT_Z_RAIL = INT64_C(4);
-static const int64_t layout__CONTACT_POINT_X_TRACK = INT64_C(5);
-static const int64_t layout__CONTACT_POINT_Y_TRACK = INT64_C(6);
-static const int64_t layout__CONTACT_POINT_Z_TRACK = INT64_C(7);
-static const int64_t layout__CONTACT_POINT_CONTACT_ANGLE = INT64_C(8);
-static const int64_t layout__CONTACT_POINT_ROLLING_RADIUS = INT64_C(9);
-static const int64_t layout__CONTACT_POINT_CURVATURE_X = INT64_C(10);
-static const int64_t layout__CONTACT_POINT_CURVATURE_Y = INT64_C(11);
-static const int64_t layout__SIDE_SEARCH_SIZE = INT64_C(4053);
-static const int64_t layout__SIDE_SEARCH_PLACE = INT64_C(0);
-static const int64_t layout__SIDE_SEARCH_BEST = INT64_C(21);
-static const int64_t layout__SIDE_SEARCH_BEST_Y = INT64_C(22);
-static const int64_t layout__SIDE_SEARCH_BEST_RAIL = INT64_C(23);
-static const int64_t layout__SIDE_SEARCH_REACH = INT64_C(24);
-static const int64_t layout__SIDE_SEARCH_FIRST = INT64_C(25);
-static const int64_t layout__SIDE_SEARCH_LAST = INT64_C(26);
-static const int64_t layout__SIDE_SEARCH_CANDIDATES = INT64_C(27);
-static const int64_t layout__SIDE_SEARCH_STACK = INT64_C(91);
-static const int64_t layout__SIDE_SEARCH_POINT = INT64_C(403);
-static const int64_t layout__SIDE_SEARCH_PENETRATION = INT64_C(415);
-static const int64_t layout__SIDE_SEARCH_PATCH_COUNT = INT64_C(416);
-static const int64_t layout__SIDE_SEARCH_PATCHES = INT64_C(417);
-static const int64_t layout__SIDE_SEARCH_TOTALS = INT64_C(3001);
-static const int64_t layout__SIDE_SEARCH_OUTLINE = INT64_C(3010);
-static const int64_t layout__SIDE_SEARCH_MOTION = INT64_C(4015);
-static const int64_t layout__SIDE_SEARCH_FORCES = INT64_C(4038);
-static const int64_t layout__ROLL_TRIAL_SIZE = INT64_C(4);
-static const int64_t layout__ROLL_TRIAL_ROLL = INT64_C(0);
-static const int64_t layout__ROLL_TRIAL_DIFFERENCE = INT64_C(1);
-static const int64_t layout__ROLL_TRIAL_LEFT = INT64_C(2);
-static const int64_t layout__ROLL_TRIAL_RIGHT = INT64_C(3);
-static const int64_t layout__ROLL_TRIALS_SIZE = INT64_C(244);
-static const int64_t layout__ROLL_TRIALS_NEAR = INT64_C(0);
-static const int64_t layout__ROLL_TRIALS_FAR = INT64_C(4);
-static const int64_t layout__START_SIZE = INT64_C(4);
-static const int64_t layout__START_KNOWN = INT64_C(0);
-static const int64_t layout__START_ROLL = INT64_C(1);
-static const int64_t layout__START_LEFT = INT64_C(2);
-static const int64_t layout__START_RIGHT = INT64_C(3);
-static const int64_t layout__STARTS_COUNT = INT64_C(0);
-static const int64_t layout__STARTS_FIRST_SHIFT = INT64_C(1);
-static const int64_t layout__STARTS_PER_METRE = INT64_C(2);
-static const int64_t layout__STARTS_ROWS = INT64_C(3);
-static const int64_t layout__ROLLING_TABLE_COSINES = INT64_C(0);
-static const int64_t layout__ROLLING_TABLE_SINES = INT64_C(16);
-static const int64_t layout__ROLLING_TABLE_SHAPES = INT64_C(32);
-static const int64_t layout__ROLLING_TABLE_REACHES = INT64_C(704);
-static const int64_t layout__ROLLING_TABLE_RADII = INT64_C(1796);
-static const int64_t layout__ROLLING_TABLE_SCALES = INT64_C(1808);
-static const int64_t layout__ROLLING_TABLE_CORRECTIONS = INT64_C(1835);
-static const int64_t layout__PIECE_START = INT64_C(0);
-static const int64_t layout__PIECE_C0 = INT64_C(1);
-static const int64_t layout__PIECE_C1 = INT64_C(2);
-static const int64_t layout__PIECE_C2 = INT64_C(3);
-static const int64_t layout__PIECE_C3 = INT64_C(4);
-static const int64_t layout__PIECE_C4 = INT64_C(5);
-static const int64_t layout__PIECE_C5 = INT64_C(6);
-static const int64_t layout__PROFILE_SIZE = INT64_C(1000005);
-static const int64_t layout__PROFILE_START = INT64_C(0);
-static const int64_t layout__PROFILE_STOP = INT64_C(1);
-static const int64_t layout__PROFILE_BINS_PER_METRE = INT64_C(2);
-static const int64_t layout__PROFILE_BIN_COUNT = INT64_C(3);
-static const int64_t layout__PROFILE_PIECES = INT64_C(4);
-static const int64_t layout__PROFILE_BINS = INT64_C(5);
-static const int64_t layout__CURVATURE_TABLE_SIZE = INT64_C(1000003);
-static const int64_t layout__CURVATURE_TABLE_COUNT = INT64_C(0);
-static const int64_t layout__CURVATURE_TABLE_START = INT64_C(1);
-static const int64_t layout__CURVATURE_TABLE_PER_METRE = INT64_C(2);
-static const int64_t layout__CURVATURE_TABLE_CURVATURES = INT64_C(3);
-static const int64_t layout__CUBIC_TABLE_SIZE = INT64_C(4000003);
-static const int64_t layout__CUBIC_TABLE_COUNT = INT64_C(0);
-static const int64_t layout__CUBIC_TABLE_START = INT64_C(1);
-static const int64_t layout__CUBIC_TABLE_CELLS_PER_UNIT = INT64_C(2);
-static const int64_t layout__CUBIC_TABLE_CELLS = INT64_C(3);
 static const int64_t layout__ROLLING_BLOCK_SIZE = INT64_C(6);
 static const int64_t layout__ROLLING_BLOCK_START = INT64_C(0);
 static const int64_t layout__ROLLING_BLOCK_STOP = INT64_C(1);
@@ -903,68 +815,155 @@ static const int64_t layout__ROLLING_MARCHES_EDGE_SHARE = INT64_C(368);
 static const int64_t layout__ROLLING_MARCHES_NEXT = INT64_C(384);
 static const int64_t layout__ROLLING_MARCHES_AT_POINT = INT64_C(400);
 static const int64_t layout__ROLLING_MARCHES_SHARE = INT64_C(416);
-static const int64_t layout__ROLLING_SIZE = INT64_C(707);
-static const int64_t layout__ROLLING_BARE = INT64_C(0);
-static const int64_t layout__ROLLING_PUBLISHED = INT64_C(1);
-static const int64_t layout__ROLLING_BLOCKS = INT64_C(2);
-static const int64_t layout__ROLLING_EQUATIONS_X = INT64_C(50);
-static const int64_t layout__ROLLING_EQUATIONS_Y = INT64_C(122);
-static const int64_t layout__ROLLING_EQUATIONS_SPIN = INT64_C(194);
-static const int64_t layout__ROLLING_MARCH = INT64_C(266);
-static const int64_t layout__ROLLING_MARCHES = INT64_C(290);
-static const int64_t layout__WHEELSET_SIZE = INT64_C(17);
-static const int64_t layout__WHEELSET_ROLL = INT64_C(0);
-static const int64_t layout__WHEELSET_VERTICAL_SHIFT = INT64_C(1);
-static const int64_t layout__WHEELSET_FORCES = INT64_C(2);
-static const int64_t layout__SUPPORT_SIZE = INT64_C(6);
-static const int64_t layout__SUPPORT_APPROACH = INT64_C(0);
-static const int64_t layout__SUPPORT_HEIGHT = INT64_C(1);
-static const int64_t layout__SUPPORT_LEVER = INT64_C(2);
-static const int64_t layout__SUPPORT_FRICTION_LOAD = INT64_C(3);
-static const int64_t layout__SUPPORT_LOAD_BEFORE = INT64_C(4);
-static const int64_t layout__SUPPORT_SHARE_BEFORE = INT64_C(5);
-static const int64_t layout__BROYDEN_SIZE = INT64_C(8);
-static const int64_t layout__BROYDEN_LEFT = INT64_C(0);
-static const int64_t layout__BROYDEN_RIGHT = INT64_C(1);
-static const int64_t layout__BROYDEN_LEFT_HEIGHT = INT64_C(2);
-static const int64_t layout__BROYDEN_LEFT_ROLL = INT64_C(3);
-static const int64_t layout__BROYDEN_RIGHT_HEIGHT = INT64_C(4);
-static const int64_t layout__BROYDEN_RIGHT_ROLL = INT64_C(5);
-static const int64_t layout__BROYDEN_MOVE_HEIGHT = INT64_C(6);
-static const int64_t layout__BROYDEN_MOVE_ROLL = INT64_C(7);
-static const int64_t layout__BRACKET_SIZE = INT64_C(4);
-static const int64_t layout__BRACKET_LOW = INT64_C(0);
-static const int64_t layout__BRACKET_HIGH = INT64_C(1);
-static const int64_t layout__BRACKET_AT_LOW = INT64_C(2);
-static const int64_t layout__BRACKET_AT_HIGH = INT64_C(3);
-static const int64_t layout__REFERENCE_SIZE = INT64_C(8);
-static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
-static const int64_t layout__REFERENCE_RESIDUAL = INT64_C(1);
-static const int64_t layout__REFERENCE_SLOPE = INT64_C(2);
-static const int64_t layout__REFERENCE_CONTACTS = INT64_C(3);
-static const int64_t layout__REFERENCE_WITHIN = INT64_C(4);
-static const int64_t layout__CONTACT_SIZE = INT64_C(49216);
-static const int64_t layout__CONTACT_FILLING = INT64_C(0);
-static const int64_t layout__CONTACT_COARSE = INT64_C(1);
-static const int64_t layout__CONTACT_FOLLOWING = INT64_C(2);
-static const int64_t layout__CONTACT_FRAME = INT64_C(3);
-static const int64_t layout__CONTACT_REGIONS = INT64_C(30);
-static const int64_t layout__CONTACT_NODES = INT64_C(141);
-static const int64_t layout__CONTACT_STRIPS = INT64_C(5517);
-static const int64_t layout__CONTACT_STRIP_PROBLEM = INT64_C(10893);
-static const int64_t layout__CONTACT_EQUATIONS = INT64_C(35969);
-static const int64_t layout__CONTACT_ORIGIN = INT64_C(46993);
-static const int64_t layout__CONTACT_FRAMES = INT64_C(47000);
-static const int64_t layout__CONTACT_OVERLAP = INT64_C(47108);
-static const int64_t layout__CONTACT_DEEP_POINTS = INT64_C(49184);
+static const int64_t layout__SOLVED_STRIP_SIZE = INT64_C(7);
+static const int64_t layout__SOLVED_STRIP_STATION = INT64_C(0);
+static const int64_t layout__SOLVED_STRIP_WIDTH = INT64_C(1);
+static const int64_t layout__SOLVED_STRIP_X = INT64_C(2);
+static const int64_t layout__SOLVED_STRIP_CURVATURE = INT64_C(3);
+static const int64_t layout__SOLVED_STRIP_LINE_LOAD = INT64_C(4);
+static const int64_t layout__SOLVED_STRIP_HALF_LENGTH_SQUARE = INT64_C(5);
+static const int64_t layout__SOLVED_STRIP_PRESSURE_SQUARE = INT64_C(6);
+static const int64_t layout__PATCH_TOTALS_SIZE = INT64_C(9);
+static const int64_t layout__PATCH_TOTALS_LOAD = INT64_C(0);
+static const int64_t layout__PATCH_TOTALS_AREA = INT64_C(1);
+static const int64_t layout__PATCH_TOTALS_MOMENT = INT64_C(2);
+static const int64_t layout__PATCH_TOTALS_CENTROID = INT64_C(3);
+static const int64_t layout__PATCH_TOTALS_MAX_PRESSURE = INT64_C(4);
+static const int64_t layout__PATCH_TOTALS_MAX_HALF_LENGTH = INT64_C(5);
+static const int64_t layout__PATCH_TOTALS_START = INT64_C(6);
+static const int64_t layout__PATCH_TOTALS_STOP = INT64_C(7);
+static const int64_t layout__PATCH_TOTALS_WIDTH = INT64_C(8);
+static const int64_t layout__ROLLING_STRIP_SIZE = INT64_C(16);
+static const int64_t layout__ROLLING_STRIP_START = INT64_C(0);
+static const int64_t layout__ROLLING_STRIP_STOP = INT64_C(1);
+static const int64_t layout__ROLLING_STRIP_STATION = INT64_C(2);
+static const int64_t layout__ROLLING_STRIP_Y = INT64_C(3);
+static const int64_t layout__ROLLING_STRIP_WIDTH = INT64_C(4);
+static const int64_t layout__ROLLING_STRIP_X = INT64_C(5);
+static const int64_t layout__ROLLING_STRIP_HALF_LENGTH = INT64_C(6);
+static const int64_t layout__ROLLING_STRIP_LINE_LOAD = INT64_C(7);
+static const int64_t layout__ROLLING_STRIP_SLIP = INT64_C(8);
+static const int64_t layout__ROLLING_STRIP_Y_TRACK = INT64_C(9);
+static const int64_t layout__ROLLING_STRIP_Z_TRACK = INT64_C(10);
+static const int64_t layout__ROLLING_STRIP_ROLLING_RADIUS = INT64_C(11);
+static const int64_t layout__ROLLING_STRIP_RADIUS_SHARE = INT64_C(12);
+static const int64_t layout__ROLLING_STRIP_FORCE_X = INT64_C(13);
+static const int64_t layout__ROLLING_STRIP_FORCE_Y = INT64_C(14);
+static const int64_t layout__ROLLING_STRIP_MOMENT = INT64_C(15);
+static const int64_t layout__NODES_SIZE = INT64_C(1792);
+static const int64_t layout__NODES_GAP = INT64_C(0);
+static const int64_t layout__NODES_A = INT64_C(256);
+static const int64_t layout__NODES_RISE = INT64_C(512);
+static const int64_t layout__NODES_LINE = INT64_C(768);
+static const int64_t layout__NODES_LENGTH = INT64_C(1024);
+static const int64_t layout__NODES_B = INT64_C(1280);
+static const int64_t layout__NODES_TURN = INT64_C(1536);
+static const int64_t layout__STRIP_ZONE_SIZE = INT64_C(3);
+static const int64_t layout__STRIP_ZONE_START = INT64_C(0);
+static const int64_t layout__STRIP_ZONE_STOP = INT64_C(1);
+static const int64_t layout__STRIP_ZONE_LEVEL = INT64_C(2);
+static const int64_t layout__STRIP_CELL_SIZE = INT64_C(6);
+static const int64_t layout__STRIP_CELL_START = INT64_C(0);
+static const int64_t layout__STRIP_CELL_STOP = INT64_C(1);
+static const int64_t layout__STRIP_CELL_WEIGHT = INT64_C(2);
+static const int64_t layout__STRIP_CELL_HALF_LENGTH = INT64_C(3);
+static const int64_t layout__STRIP_CELL_LEAD = INT64_C(4);
+static const int64_t layout__STRIP_CELL_LOADED = INT64_C(5);
+static const int64_t layout__STRIP_SIZE = INT64_C(26);
+static const int64_t layout__STRIP_STATION = INT64_C(0);
+static const int64_t layout__STRIP_WIDTH = INT64_C(1);
+static const int64_t layout__STRIP_REGION = INT64_C(2);
+static const int64_t layout__STRIP_JOINED = INT64_C(3);
+static const int64_t layout__STRIP_PLACE = INT64_C(4);
+static const int64_t layout__STRIP_BREADTH = INT64_C(5);
+static const int64_t layout__STRIP_COS = INT64_C(6);
+static const int64_t layout__STRIP_SIN = INT64_C(7);
+static const int64_t layout__STRIP_OVERLAP = INT64_C(8);
+static const int64_t layout__STRIP_RISE = INT64_C(9);
+static const int64_t layout__STRIP_WHEEL = INT64_C(10);
+static const int64_t layout__STRIP_X = INT64_C(11);
+static const int64_t layout__STRIP_A = INT64_C(12);
+static const int64_t layout__STRIP_SKEW = INT64_C(13);
+static const int64_t layout__STRIP_SHARE = INT64_C(14);
+static const int64_t layout__STRIP_COUNTED = INT64_C(15);
+static const int64_t layout__STRIP_GAP = INT64_C(16);
+static const int64_t layout__STRIP_LOADED = INT64_C(17);
+static const int64_t layout__STRIP_KNOWN = INT64_C(18);
+static const int64_t layout__STRIP_HALF_LENGTH = INT64_C(19);
+static const int64_t layout__STRIP_LEAD = INT64_C(20);
+static const int64_t layout__STRIP_Y = INT64_C(21);
+static const int64_t layout__STRIP_LINE_LOAD = INT64_C(22);
+static const int64_t layout__STRIP_HALF_LENGTH_SQUARE = INT64_C(23);
+static const int64_t layout__STRIP_PRESSURE = INT64_C(24);
+static const int64_t layout__STRIP_NEXT_LEAD = INT64_C(25);
+static const int64_t layout__SCAN_NODE_Y = INT64_C(0);
+static const int64_t layout__SCAN_NODE_HEIGHT = INT64_C(1);
+static const int64_t layout__SCAN_NODE_SLOPE = INT64_C(2);
+static const int64_t layout__SCAN_NODE_LEAST_BEND = INT64_C(3);
+static const int64_t layout__SCAN_NODE_MOST_BENDS = INT64_C(4);
+static const int64_t layout__SCAN_NODE_STEEPEST_BENDS = INT64_C(10);
+static const int64_t layout__SCAN_NODE_LEVER = INT64_C(16);
+static const int64_t layout__RAIL_CELL_LEAST_BEND = INT64_C(0);
+static const int64_t layout__RAIL_CELL_MOST_BEND = INT64_C(1);
+static const int64_t layout__RAIL_CELL_LEAST_BENDS = INT64_C(2);
+static const int64_t layout__CELL_SIZE = INT64_C(6);
+static const int64_t layout__CELL_LOW = INT64_C(0);
+static const int64_t layout__CELL_HIGH = INT64_C(1);
+static const int64_t layout__CELL_GAP_LOW = INT64_C(2);
+static const int64_t layout__CELL_GAP_HIGH = INT64_C(3);
+static const int64_t layout__CELL_MISMATCH_LOW = INT64_C(4);
+static const int64_t layout__CELL_MISMATCH_HIGH = INT64_C(5);
+static const int64_t layout__CANDIDATE_SIZE = INT64_C(2);
+static const int64_t layout__CANDIDATE_Y = INT64_C(0);
+static const int64_t layout__CANDIDATE_RAIL = INT64_C(1);
+static const int64_t layout__CONTACT_POINT_SIZE = INT64_C(12);
+static const int64_t layout__CONTACT_POINT_X_WHEEL = INT64_C(0);
+static const int64_t layout__CONTACT_POINT_Y_WHEEL = INT64_C(1);
+static const int64_t layout__CONTACT_POINT_Z_WHEEL = INT64_C(2);
+static const int64_t layout__CONTACT_POINT_Y_RAIL = INT64_C(3);
+static const int64_t layout__CONTACT_POINT_Z_RAIL = INT64_C(4);
+static const int64_t layout__CONTACT_POINT_X_TRACK = INT64_C(5);
+static const int64_t layout__CONTACT_POINT_Y_TRACK = INT64_C(6);
+static const int64_t layout__CONTACT_POINT_Z_TRACK = INT64_C(7);
+static const int64_t layout__CONTACT_POINT_CONTACT_ANGLE = INT64_C(8);
+static const int64_t layout__CONTACT_POINT_ROLLING_RADIUS = INT64_C(9);
+static const int64_t layout__CONTACT_POINT_CURVATURE_X = INT64_C(10);
+static const int64_t layout__CONTACT_POINT_CURVATURE_Y = INT64_C(11);
+static const int64_t layout__SIDE_SEARCH_SIZE = INT64_C(4053);
+static const int64_t layout__SIDE_SEARCH_PLACE = INT64_C(0);
+static const int64_t layout__SIDE_SEARCH_BEST = INT64_C(21);
+static const int64_t layout__SIDE_SEARCH_BEST_Y = INT64_C(22);
+static const int64_t layout__SIDE_SEARCH_BEST_RAIL = INT64_C(23);
+static const int64_t layout__SIDE_SEARCH_REACH = INT64_C(24);
+static const int64_t layout__SIDE_SEARCH_FIRST = INT64_C(25);
+static const int64_t layout__SIDE_SEARCH_LAST = INT64_C(26);
+static const int64_t layout__SIDE_SEARCH_CANDIDATES = INT64_C(27);
+static const int64_t layout__SIDE_SEARCH_STACK = INT64_C(91);
+static const int64_t layout__SIDE_SEARCH_POINT = INT64_C(403);
+static const int64_t layout__SIDE_SEARCH_PENETRATION = INT64_C(415);
+static const int64_t layout__SIDE_SEARCH_PATCH_COUNT = INT64_C(416);
+static const int64_t layout__SIDE_SEARCH_PATCHES = INT64_C(417);
+static const int64_t layout__SIDE_SEARCH_TOTALS = INT64_C(3001);
+static const int64_t layout__SIDE_SEARCH_OUTLINE = INT64_C(3010);
+static const int64_t layout__SIDE_SEARCH_MOTION = INT64_C(4015);
+static const int64_t layout__SIDE_SEARCH_FORCES = INT64_C(4038);
+static const int64_t layout__ROLL_TRIAL_SIZE = INT64_C(4);
+static const int64_t layout__ROLL_TRIAL_ROLL = INT64_C(0);
+static const int64_t layout__ROLL_TRIAL_DIFFERENCE = INT64_C(1);
+static const int64_t layout__ROLL_TRIAL_LEFT = INT64_C(2);
+static const int64_t layout__ROLL_TRIAL_RIGHT = INT64_C(3);
+static const int64_t layout__START_SIZE = INT64_C(4);
+static const int64_t layout__START_KNOWN = INT64_C(0);
+static const int64_t layout__START_ROLL = INT64_C(1);
+static const int64_t layout__START_LEFT = INT64_C(2);
+static const int64_t layout__START_RIGHT = INT64_C(3);
 static const double layout__INPUT_NOMINALS[] = {0.001, 0.01, 0.001, 100000.0, 0.1, 0.001, 0.001, 0.001, 0.001, 0.01, 0.001, 0.001, 0.01, 10.0, 0.01, 0.01, 0.1, 0.01, 20.0, 1.0, 0.001, 0.01, 0.01, 0.1, 0.01, 0.01, 0.1, 0.3, 0.3};
 
-/* surface/cubic.py */
-static inline double cubic__cubic_through(double before, double low, double high, double after, double x);
-
-/* surface/cubic_table.py */
-static inline double cubic_table__read_cubic(array_double_1d tables, int64_t table, double at);
-static inline int64_t cubic_table__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at);
+/* surface/curvature.py */
+static const double curvature__CURVATURE_FLOOR = 0.05;
+static inline double curvature__profile_curvature(array_double_1d tables, int64_t table, double y);
+static inline double curvature__relative_curvature(array_double_1d tables, double y, double abscissa);
+static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend);
 
 /* surface/gap.py */
 static const double gap__FOLDED = 1000000.0;
@@ -972,10 +971,6 @@ static inline bool gap__above_rail(array_double_1d tables, double abscissa);
 static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y);
-
-/* surface/lateral_curvature.py */
-static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y);
-static inline double lateral_curvature__relative_curvature(array_double_1d tables, double y, double abscissa);
 
 /* surface/locus.py */
 static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll);
@@ -988,15 +983,6 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
 static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
 static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y);
 
-/* surface/longitudinal_curvature.py */
-static const double longitudinal_curvature__CURVATURE_FLOOR = 0.05;
-static inline double longitudinal_curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend);
-
-/* surface/profile_table.py */
-static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t profile, double y);
-static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y);
-static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
-
 /* surface/rails.py */
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);
@@ -1005,10 +991,18 @@ static inline int64_t rails__pitch_of_frame(double* sine, double* cosine, array_
 static inline double rails__upright_share(array_double_1d work, int64_t place, double cosine, double sine);
 static inline int64_t rails__on_track(double* result_0, double* result_1, array_double_1d work, int64_t place, double rail_y, double y, double z);
 
-/* surface/table_cell.py */
-static inline int64_t table_cell__table_cell(int64_t* cell, double* result_1, double u, double last);
+/* surface/tables.py */
+static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last);
+static inline double tables__read_cubic(array_double_1d tables, int64_t table, double at);
+static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at);
+static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y);
+static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y);
+static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
 
 /* search/bounds.py */
+static const double bounds__REACH_SHARE = 1.2;
+static const double bounds__REACH_ROLL = 0.06;
+static const double bounds__END_SHARP = 1e-09;
 static const double bounds__YAWED_SHARE = 0.3;
 static const double bounds__STRETCHED_SHARE = 10.0;
 static const double bounds__ROLLED_SHARE = 0.02;
@@ -1020,6 +1014,11 @@ static const double bounds__ROLL_BEND = 9.5;
 static const double bounds__YAW_BEND = 18.0;
 static const double bounds__WIDEST = 0.25;
 static const double bounds__FINE_CELL = 0.000501;
+static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y);
+static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node);
+static inline double bounds__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y);
+static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa);
+static inline double bounds__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward);
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa);
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u);
 static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u);
@@ -1031,22 +1030,6 @@ static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
 static inline double bounds__least_slope(double least, double most, double width, double first, double last);
 static inline bool bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high);
-
-/* search/cells.py */
-static const double cells__NARROW = 2e-06;
-static const double cells__LISTED_ONE = 0.00025;
-static const double cells__SHARP = 1e-13;
-static const double cells__LISTED_SHARP = 2e-06;
-static const int64_t cells__REFINEMENTS = INT64_C(60);
-static const double cells__ROUNDING = 1e-15;
-static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
-static inline int64_t cells__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
-static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t cells__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
-static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
-static inline int64_t cells__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
-static inline int64_t cells__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
-static inline int64_t cells__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
 
 /* search/first_root.py */
 static const double first_root__APART = 1e-13;
@@ -1072,16 +1055,6 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
 static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
 static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
 
-/* search/raster.py */
-static const double raster__REACH_SHARE = 1.2;
-static const double raster__REACH_ROLL = 0.06;
-static const double raster__END_SHARP = 1e-09;
-static inline int64_t raster__node_below(array_double_1d tables, int64_t scan, double y);
-static inline int64_t raster__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node);
-static inline double raster__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline bool raster__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa);
-static inline double raster__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward);
-
 /* search/roll.py */
 static const double roll__ROLL_SHARP = 1e-14;
 static const int64_t roll__SEARCHES = INT64_C(120);
@@ -1091,6 +1064,7 @@ static const double roll__LONGEST_TURN = 0.005;
 static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
 static const double roll__FOLLOW_REACH = 0.002;
+static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
@@ -1110,45 +1084,55 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
 static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, bool known);
 static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa);
 
-/* search/starts.py */
-static inline int64_t starts__nearest_start(array_double_1d tables, int64_t starts, double shift);
-
 /* search/walk.py */
+static const double walk__NARROW = 2e-06;
+static const double walk__LISTED_ONE = 0.00025;
+static const double walk__SHARP = 1e-13;
+static const double walk__LISTED_SHARP = 2e-06;
+static const int64_t walk__REFINEMENTS = INT64_C(60);
+static const double walk__ROUNDING = 1e-15;
 static const double walk__LARGE_GAP = 1000.0;
+static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
+static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
+static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
+static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
+static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
+static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
+static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
 static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, bool listing);
 static inline int64_t walk__search_between(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa, bool listing);
 static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing);
 
-/* contact/arc_length.py */
-static const double arc_length__GAUSS_1 = 0.2386191860831969;
-static const double arc_length__GAUSS_2 = 0.6612093864662645;
-static const double arc_length__GAUSS_3 = 0.932469514203152;
-static const double arc_length__WEIGHT_1 = 0.467913934572691;
-static const double arc_length__WEIGHT_2 = 0.3607615730481386;
-static const double arc_length__WEIGHT_3 = 0.1713244923791704;
-static OUT_OF_LINE double arc_length__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high);
-static OUT_OF_LINE double arc_length__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop);
-static OUT_OF_LINE double arc_length__rail_length(array_double_1d tables, double start, double stop);
-static OUT_OF_LINE double arc_length__rail_abscissa(array_double_1d tables, double start, double length);
-
-/* contact/contact_plane.py */
-static const double contact_plane__NO_GAP = 1.0;
-static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift);
-static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
-static inline bool contact_plane__is_yawed(array_double_1d work);
-
 /* contact/curves.py */
+static const double curves__GAUSS_1 = 0.2386191860831969;
+static const double curves__GAUSS_2 = 0.6612093864662645;
+static const double curves__GAUSS_3 = 0.932469514203152;
+static const double curves__WEIGHT_1 = 0.467913934572691;
+static const double curves__WEIGHT_2 = 0.3607615730481386;
+static const double curves__WEIGHT_3 = 0.1713244923791704;
+static const double curves__MOVE_SHARP = 1e-13;
+static const int64_t curves__MOVE_ITERATIONS = INT64_C(40);
 static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t curve);
 static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d work, array_double_1d tables, int64_t curve, double u);
 static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double_1d tables, int64_t curve, double u);
 static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, double u);
 static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double_1d tables, int64_t curve, double u);
 static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_double_1d tables, int64_t region, double spacing);
+static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high);
+static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop);
+static OUT_OF_LINE double curves__rail_length(array_double_1d tables, double start, double stop);
+static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double start, double length);
+static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length);
+static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord);
+static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station);
+static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1d tables, double lateral);
 
 /* contact/deep_points.py */
 static const double deep_points__MERGE = 0.3;
 static const double deep_points__LEAST_HUMP = 1e-09;
 static const double deep_points__SAME_POINT = 1e-06;
+static const double deep_points__FOLLOWED = 0.0005;
 static OUT_OF_LINE int64_t deep_points__copy_point(array_double_1d work, int64_t point, int64_t copy);
 static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, double wheel, double depth);
 static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work);
@@ -1159,20 +1143,25 @@ static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work);
+static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept);
+static inline int64_t deep_points__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height);
+static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height);
 
-/* contact/followed_overlaps.py */
-static const double followed_overlaps__FOLLOWED = 0.0005;
-static inline int64_t followed_overlaps__keep_points(array_double_1d work, int64_t kept);
-static inline int64_t followed_overlaps__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height);
-static inline int64_t followed_overlaps__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height);
-
-/* contact/moves.py */
-static const double moves__MOVE_SHARP = 1e-13;
-static const int64_t moves__MOVE_ITERATIONS = INT64_C(40);
-static OUT_OF_LINE bool moves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length);
-static OUT_OF_LINE bool moves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord);
-static OUT_OF_LINE bool moves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station);
-static OUT_OF_LINE bool moves__move_across(array_double_1d work, array_double_1d tables, double lateral);
+/* contact/frame.py */
+static const double frame__NO_GAP = 1.0;
+static const double frame__BEYOND = 1.0;
+static const double frame__PLACE_TRACE = 1e-08;
+static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift);
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
+static inline bool frame__is_yawed(array_double_1d work);
+static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot);
+static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot);
+static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count);
+static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
+static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region);
+static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
 static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry);
@@ -1206,13 +1195,6 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place);
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height);
 
-/* contact/planes.py */
-static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot);
-static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot);
-static OUT_OF_LINE int64_t planes__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count);
-static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region, int64_t slot);
-static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region);
-
 /* contact/pressed.py */
 static const double pressed__LINE_SHARP = 1e-08;
 static const double pressed__NODE_SHARP = 1e-06;
@@ -1221,10 +1203,16 @@ static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
 static const double pressed__LINE_STEP = 0.004;
 static const double pressed__FARTHEST = 0.005;
 static const double pressed__LEAST_WAY = 1e-05;
+static const double pressed__DEEP_SHARP = 1e-13;
+static const int64_t pressed__DEEP_ITERATIONS = INT64_C(60);
+static const double pressed__LEVEL_RISE = 0.0001;
+static const double pressed__ZERO_RISE = 1e-09;
 static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
 static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
+static OUT_OF_LINE double pressed__limited(double step, double limit);
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
 static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t point);
@@ -1235,27 +1223,12 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state);
 
-/* contact/regions.py */
-static const double regions__BEYOND = 1.0;
-static const double regions__PLACE_TRACE = 1e-08;
-static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t regions__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
-static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
-
 /* contact/separation.py */
 static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables);
 static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind);
 static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
-
-/* contact/touching.py */
-static const double touching__DEEP_SHARP = 1e-13;
-static const int64_t touching__DEEP_ITERATIONS = INT64_C(60);
-static const double touching__LEVEL_RISE = 0.0001;
-static const double touching__ZERO_RISE = 1e-09;
-static OUT_OF_LINE double touching__limited(double step, double limit);
-static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);
 
 /* contact/traces.py */
 static const double traces__EXTRAPOLATED = 0.004;
@@ -1267,16 +1240,21 @@ static inline int64_t traces__trace_rail(double* ordinate, double* rate, double*
 static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance);
 static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance);
 
-/* contact/zone_width.py */
-static const double zone_width__TRACE_OF_WIDTH = 0.01;
-static const double zone_width__WIDTH_TRACE = 5e-06;
-static const int64_t zone_width__WIDTH_ITERATIONS = INT64_C(60);
-static const double zone_width__HALVED_SHARP = 1e-09;
-static const double zone_width__WIDTH_SHARP = 0.01;
-static const double zone_width__PRESSED_SHARP = 1e-05;
-static inline double zone_width__width_limit(array_double_1d work, int64_t region, double direction);
-static inline double zone_width__width_tolerance(double estimate);
-static inline double zone_width__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate);
+/* contact/widths.py */
+static const double widths__TRACE_OF_WIDTH = 0.01;
+static const double widths__WIDTH_TRACE = 5e-06;
+static const int64_t widths__WIDTH_ITERATIONS = INT64_C(60);
+static const double widths__HALVED_SHARP = 1e-09;
+static const double widths__WIDTH_SHARP = 0.01;
+static const double widths__PRESSED_SHARP = 1e-05;
+static const double widths__NARROWER = 4.0;
+static const double widths__LEAST_BEND = 1.0;
+static const double widths__MOST_BEND = 100.0;
+static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
+static inline double widths__width_tolerance(double estimate);
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate);
+static inline double widths__side_curvature(double reached, double own, double mean);
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
 
 /* patch/filling.py */
 static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start);
@@ -1292,12 +1270,10 @@ static inline int64_t filling__total_patches(array_double_1d work, int64_t side)
 static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side);
 static inline int64_t filling__finish_patches(array_double_1d work, int64_t side);
 
-/* patch/interpolation.py */
-static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
-static inline int64_t interpolation__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
-
 /* patch/outline.py */
+static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
+static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
+static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t totals, int64_t count);
@@ -1317,6 +1293,8 @@ static inline double quadrature__bent_integral(double low, double slope, double 
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 
 /* normal/analyn.py */
+static const double analyn__ELONGATED = 0.3;
+static const double analyn__INCLINED = 0.9659258262890683;
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
 static const double analyn__ROUNDING = 1e-10;
@@ -1325,6 +1303,9 @@ static const double analyn__NEARLY_SHARP = 1e-09;
 static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__HIGHEST = 1000.0;
+static inline double analyn__planes_cosine(array_double_1d work, int64_t one, int64_t other);
+static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other);
+static inline double analyn__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop);
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration);
 static inline double analyn__load_regions(array_double_1d work, int64_t count);
@@ -1344,8 +1325,23 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
-/* normal/elimination.py */
-static inline int64_t elimination__eliminate(array_double_1d work, int64_t size);
+/* normal/coefficients.py */
+static const double coefficients__TILTED = 1e-12;
+static const double coefficients__STEEPEST = 0.3;
+static const double coefficients__FLOOR = 0.02;
+static const double coefficients__WINDOW_FLOOR = 0.05;
+static const double coefficients__GROWTH = 0.12;
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
+static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
+static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
+static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
+static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
+static inline double coefficients__windowed_curvature(double averaged, double secant, double share);
+static inline int64_t coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
+static inline int64_t coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
+static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* normal/estimate.py */
 static const double estimate__TYPICAL_RATIO = 2.0;
@@ -1355,51 +1351,6 @@ static inline double estimate__guess_penetration(double force, double A, double 
 static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
 static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
-
-/* normal/hertz.py */
-static const double hertz__TILTED = 1e-12;
-static const double hertz__STEEPEST = 0.3;
-static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
-static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
-static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double hertz__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
-
-/* normal/hertz_contact.py */
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-
-/* normal/interaction.py */
-static const double interaction__ELONGATED = 0.3;
-static const double interaction__INCLINED = 0.9659258262890683;
-static inline double interaction__planes_cosine(array_double_1d work, int64_t one, int64_t other);
-static inline double interaction__region_lead(array_double_1d work, int64_t one, int64_t other);
-static inline double interaction__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other);
-
-/* normal/mean_normal.py */
-static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
-
-/* normal/node_coefficients.py */
-static const double node_coefficients__FLOOR = 0.02;
-static const double node_coefficients__WINDOW_FLOOR = 0.05;
-static const double node_coefficients__GROWTH = 0.12;
-static inline double node_coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
-static inline double node_coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
-static inline double node_coefficients__windowed_curvature(double averaged, double secant, double share);
-static inline int64_t node_coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
-static inline int64_t node_coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
-static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
-
-/* normal/node_layout.py */
-static const double node_layout__MEASURED = 0.9;
-static const double node_layout__COVER = 1.1;
-static const double node_layout__SPREAD = 1.25;
-static const double node_layout__NARROWEST = 0.01;
-static const double node_layout__WIDEST = 110.0;
-static inline double node_layout__zone_share(array_double_1d tables, double A, double side);
-static inline double node_layout__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t node_layout__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
-static inline bool node_layout__covered(array_double_1d work, int64_t count);
 
 /* normal/node_patches.py */
 static const double node_patches__JOINED = 1e-09;
@@ -1417,6 +1368,11 @@ static const double nodes__WINDOW = 0.26666666666666666;
 static const double nodes__TRACE_SHARE = 0.01;
 static const double nodes__COARSEST_TRACE = 5e-06;
 static const double nodes__LEAST_TURN = 0.2;
+static const double nodes__MEASURED = 0.9;
+static const double nodes__COVER = 1.1;
+static const double nodes__SPREAD = 1.25;
+static const double nodes__NARROWEST = 0.01;
+static const double nodes__WIDEST = 110.0;
 static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
@@ -1429,11 +1385,18 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
 static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
 static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
+static inline double nodes__zone_share(array_double_1d tables, double A, double side);
+static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
+static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
+static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
 /* normal/patch_places.py */
+static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
 static inline int64_t patch_places__open_place(array_double_1d work, int64_t patch);
 static inline double patch_places__abscissa_at(array_double_1d work, array_double_1d tables, int64_t region, double away);
 static inline int64_t patch_places__place_load(array_double_1d work, array_double_1d tables, int64_t region, int64_t patch, int64_t number);
@@ -1442,28 +1405,20 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
 static inline int64_t patch_places__place_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* normal/strip_contact.py */
+static const double strip_contact__SHALLOW = 0.03;
+static const double strip_contact__OWN_SHALLOW = 0.25;
+static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(1);
 static const double strip_contact__DEEPER = 1.15;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
 static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force);
-
-/* normal/strip_edges.py */
-static inline int64_t strip_edges__run_end(array_double_1d work, int64_t count, int64_t first);
-static inline double strip_edges__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
-
-/* normal/strip_influence.py */
-static inline double strip_influence__nearness(double distance, double half_length);
-static inline double strip_influence__apartness(double x, double half_length);
-static inline int64_t strip_influence__cell_at(double place, int64_t count);
-static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
-static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
-static inline double strip_influence__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v);
-static inline int64_t strip_influence__begin_influences(array_double_1d work);
-static inline int64_t strip_influence__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed);
-static inline int64_t strip_influence__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed);
-static inline double strip_influence__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
-static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 
 /* normal/strip_layout.py */
 static const double strip_layout__FIRST_SHARE = 0.6666666666666666;
@@ -1507,6 +1462,8 @@ static inline int64_t strip_lengths__adopt_lengths(array_double_1d work);
 
 /* normal/strip_patches.py */
 static const double strip_patches__CLOSE = 1e-06;
+static inline int64_t strip_patches__run_end(array_double_1d work, int64_t count, int64_t first);
+static inline double strip_patches__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
 static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner);
@@ -1527,6 +1484,18 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
 static const int64_t strip_pressures__EXCHANGES = INT64_C(10);
 static const int64_t strip_pressures__EXCHANGE_LIMIT = INT64_C(200);
 static const double strip_pressures__TOUCH = 1e-12;
+static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size);
+static inline double strip_pressures__nearness(double distance, double half_length);
+static inline double strip_pressures__apartness(double x, double half_length);
+static inline int64_t strip_pressures__cell_at(double place, int64_t count);
+static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
+static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
+static inline double strip_pressures__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v);
+static inline int64_t strip_pressures__begin_influences(array_double_1d work);
+static inline int64_t strip_pressures__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed);
+static inline int64_t strip_pressures__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed);
+static inline double strip_pressures__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
+static inline double strip_pressures__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 static inline int64_t strip_pressures__list_loaded(array_double_1d work);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, int64_t size);
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
@@ -1554,53 +1523,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
 static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables);
 static inline int64_t strip_surfaces__set_gaps(array_double_1d work);
 
-/* normal/strip_zones.py */
-static const double strip_zones__SHALLOW = 0.03;
-static const double strip_zones__OWN_SHALLOW = 0.25;
-static inline int64_t strip_zones__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_zones__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
-
-/* normal/strips.py */
-static const int64_t strips__FIRST_SWEEPS = INT64_C(1);
-static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t strips__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
-static inline int64_t strips__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strips__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-
-/* normal/widths.py */
-static const double widths__NARROWER = 4.0;
-static const double widths__LEAST_BEND = 1.0;
-static const double widths__MOST_BEND = 100.0;
-static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
-
-/* motion/approach.py */
-static inline double approach__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
-
-/* motion/contact_rates.py */
-static inline int64_t contact_rates__constrain_touching(array_double_1d work, int64_t motion, int64_t point);
-static inline int64_t contact_rates__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces);
-static inline double contact_rates__known_part(array_double_1d work, int64_t motion);
-static inline int64_t contact_rates__set_contact_rates(array_double_1d work, int64_t left, int64_t right);
-
-/* motion/creepage.py */
-static const double creepage__STANDSTILL = 1e-06;
-static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius);
-static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
-static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
-static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
-static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
-
-/* motion/wheelset_motion.py */
-static inline bool wheelset_motion__is_rail_moderate(double lateral, double vertical, double roll);
-static inline bool wheelset_motion__is_moderate(array_double_1d work);
-static inline double wheelset_motion__rolling_rate(array_double_1d work, array_double_1d tables);
-static inline int64_t wheelset_motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, double mirror);
-static inline int64_t wheelset_motion__open_left_rail(array_double_1d work, array_double_1d tables, int64_t rail);
-static inline int64_t wheelset_motion__open_right_rail(array_double_1d work, array_double_1d tables, int64_t rail);
-static inline int64_t wheelset_motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
-
-/* tangential/correction.py */
+/* creep/correction.py */
 static const int64_t correction__ELEVATION_STRIDE = INT64_C(468);
 static const int64_t correction__RATIO_STRIDE = INT64_C(2340);
 static const double correction__FIRST_RATIO = 0.1;
@@ -1615,18 +1538,53 @@ static inline double correction__on_plane(array_double_1d tables, int64_t table,
 static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius);
 static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/coupled_strips.py */
+/* creep/coupled_strips.py */
+static const double coupled_strips__LATER = 0.08;
+static const double coupled_strips__FADE = 0.1;
+static const double coupled_strips__FLOOR = 0.3;
+static const double coupled_strips__FLOOR_RATIO = 4.5;
+static const double coupled_strips__FLOOR_TWIST = 1.5;
+static const double coupled_strips__NOTHING = 1e-300;
+static inline double coupled_strips__spread_square(array_double_1d work, double scale, double k, double ratio);
+static inline double coupled_strips__smooth_step(double z);
+static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
+static inline double coupled_strips__later_share(double depth, double ratio);
+static inline double coupled_strips__edge_weight(array_double_1d work);
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, double width, double ratio);
 static inline int64_t coupled_strips__flexibilities(double* result_0, double* result_1, array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t patch, int64_t strip, double rate, int64_t index);
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/dissipation.py */
-static inline double dissipation__creep_gain(array_double_1d work, int64_t patch);
-static inline int64_t dissipation__keep_dissipating(array_double_1d work, int64_t patch);
+/* creep/creep_force.py */
+static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
+static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/fastrip.py */
+/* creep/creepage.py */
+static const double creepage__STANDSTILL = 1e-06;
+static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius);
+static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
+static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
+static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
+static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
+
+/* creep/cut.py */
+static const double cut__COSINE = 0.9807852804032304;
+static const double cut__SHORTEST = 0.05;
+static const double cut__LONGEST = 40.0;
+static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
+static inline int64_t cut__lay_strips(array_double_1d work, int64_t patch, double start, double stop);
+static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
+static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
+static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
+static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch);
+static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch);
+static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
+static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
+
+/* creep/fastrip.py */
 static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip);
 static inline int64_t fastrip__find_stick(array_double_1d work, double push, double lateral, double spin);
@@ -1634,13 +1592,62 @@ static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_dou
 static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip);
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/fastsim.py */
+/* creep/fastsim.py */
 static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning);
 static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/polach.py */
+/* creep/friction.py */
+static const double friction__PI = 3.141592653589793;
+static const double friction__FLANGE_RANGE = 0.2;
+static inline double friction__flange_share(array_double_1d tables, double angle);
+static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding);
+static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor);
+static inline bool friction__is_frictional(double friction, double limit);
+static inline double friction__creep_gain(array_double_1d work, int64_t patch);
+static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch);
+
+/* creep/march.py */
+static const double march__LAG = 0.4;
+static const double march__LONG_LAG = 0.1;
+static const double march__LAG_RATIO = 3.0;
+static const double march__LAG_FILLS = 20.0;
+static const double march__FILLS = 6.0;
+static const double march__SHARE = 0.65;
+static const double march__SHARE_RATIO = 1.2;
+static const double march__SOFT = 0.05;
+static const double march__NOTHING = 1e-300;
+static inline int64_t march__open_marches(array_double_1d work, double ratio);
+static inline int64_t march__set_pushes(array_double_1d work, int64_t number, double plane, double spinning, double ratio);
+static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t number, int64_t last);
+static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t number);
+static inline bool march__has_slip(array_double_1d work);
+static inline double march__sqrt_of(double value);
+static inline int64_t march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
+static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
+static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
+static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step);
+static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step);
+static inline int64_t march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t i, double bound);
+static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound);
+static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table);
+
+/* creep/motion.py */
+static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
+static inline bool motion__is_moderate(array_double_1d work);
+static inline double motion__rolling_rate(array_double_1d work, array_double_1d tables);
+static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, double mirror);
+static inline int64_t motion__open_left_rail(array_double_1d work, array_double_1d tables, int64_t rail);
+static inline int64_t motion__open_right_rail(array_double_1d work, array_double_1d tables, int64_t rail);
+static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
+static inline int64_t motion__constrain_touching(array_double_1d work, int64_t motion, int64_t point);
+static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces);
+static inline double motion__known_part(array_double_1d work, int64_t motion);
+static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t left, int64_t right);
+
+/* creep/polach.py */
 static const double polach__SMALLEST = 1e-150;
 static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double slip);
 static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
@@ -1650,65 +1657,7 @@ static inline int64_t polach__cut_force(array_double_1d work, int64_t patch);
 static inline double polach__largest_shear(array_double_1d work, int64_t patch);
 static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch);
 
-/* tangential/sections.py */
-static const double sections__COSINE = 0.9807852804032304;
-static const double sections__SHORTEST = 0.05;
-static const double sections__LONGEST = 40.0;
-static inline int64_t sections__describe_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t sections__lay_strips(array_double_1d work, int64_t patch, double start, double stop);
-static inline int64_t sections__cut_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t sections__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
-static inline int64_t sections__cut_strips(array_double_1d work, int64_t patch);
-static inline int64_t sections__finish_strips(array_double_1d work, int64_t patch);
-static inline int64_t sections__plane_slips(array_double_1d work, int64_t patch);
-static inline int64_t sections__clear_creep(array_double_1d work, int64_t patch);
-static inline int64_t sections__cut_patch(array_double_1d work, int64_t patch);
-
-/* tangential/shapes.py */
-static inline double shapes__shape_place(double axis_ratio);
-static inline double shapes__shape_value(array_double_1d tables, int64_t table, int64_t column, double place);
-static inline int64_t shapes__kalker_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double axis_ratio);
-
-/* tangential/slip_march.py */
-static const double slip_march__LAG = 0.4;
-static const double slip_march__LONG_LAG = 0.1;
-static const double slip_march__LAG_RATIO = 3.0;
-static const double slip_march__LAG_FILLS = 20.0;
-static const double slip_march__FILLS = 6.0;
-static const double slip_march__SHARE = 0.65;
-static const double slip_march__SHARE_RATIO = 1.2;
-static const double slip_march__SOFT = 0.05;
-static const double slip_march__NOTHING = 1e-300;
-static inline int64_t slip_march__open_marches(array_double_1d work, double ratio);
-static inline int64_t slip_march__set_pushes(array_double_1d work, int64_t number, double plane, double spinning, double ratio);
-static inline int64_t slip_march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t number, int64_t last);
-static inline int64_t slip_march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t number);
-static inline bool slip_march__has_slip(array_double_1d work);
-static inline double slip_march__sqrt_of(double value);
-static inline int64_t slip_march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
-static inline int64_t slip_march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
-static inline int64_t slip_march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
-static inline int64_t slip_march__march_first(array_double_1d work, double x, double bound, double step);
-static inline int64_t slip_march__march_second(array_double_1d work, double x, double bound, double step);
-static inline int64_t slip_march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t i, double bound);
-static inline int64_t slip_march__leave_edge(array_double_1d work, int64_t i, double x, double bound);
-static inline int64_t slip_march__march_strips(array_double_1d tables, array_double_1d work, int64_t table);
-
-/* tangential/stick_zone.py */
-static const double stick_zone__LATER = 0.08;
-static const double stick_zone__FADE = 0.1;
-static const double stick_zone__FLOOR = 0.3;
-static const double stick_zone__FLOOR_RATIO = 4.5;
-static const double stick_zone__FLOOR_TWIST = 1.5;
-static const double stick_zone__NOTHING = 1e-300;
-static inline double stick_zone__spread_square(array_double_1d work, double scale, double k, double ratio);
-static inline double stick_zone__smooth_step(double z);
-static inline int64_t stick_zone__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
-static inline double stick_zone__later_share(double depth, double ratio);
-static inline double stick_zone__edge_weight(array_double_1d work);
-static inline int64_t stick_zone__find_stick_zone(array_double_1d work, double width, double ratio);
-
-/* tangential/stiffness.py */
+/* creep/stiffness.py */
 static const double stiffness__SHORT = 0.001;
 static const double stiffness__SOFT = 0.02;
 static const double stiffness__NEAREST = 1e-12;
@@ -1726,13 +1675,12 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
 static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t index, double station);
 
-/* tangential/tangential_contact.py */
-static inline int64_t tangential_contact__mirror_rolling(array_double_1d work, int64_t patch);
-static inline int64_t tangential_contact__solve_tangential(array_double_1d work, array_double_1d tables, int64_t patch);
-
-/* tangential/tractions.py */
+/* creep/tractions.py */
 static const double tractions__WEIGHT = 0.18479956785822313;
 static const double tractions__SLIGHT = 1e-12;
+static inline double tractions__shape_place(double axis_ratio);
+static inline double tractions__shape_value(array_double_1d tables, int64_t table, int64_t column, double place);
+static inline int64_t tractions__kalker_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double axis_ratio);
 static inline double tractions__bound_rate(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t tractions__cut_to(double* result_0, double* result_1, double along, double across, double bound);
 static inline int64_t tractions__add_strip(array_double_1d work, int64_t patch, int64_t strip, double along, double across, double moment);
@@ -1764,13 +1712,6 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 
-/* wheelset/contact_point.py */
-static const double contact_point__PARALLEL = 1e-06;
-static const double contact_point__CORNER = 0.001;
-static const double contact_point__AT_END = 1e-08;
-static inline bool contact_point__is_end(array_double_1d tables, int64_t profile, double y);
-static inline bool contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
-
 /* wheelset/elastic.py */
 static const int64_t elastic__TRIALS = INT64_C(25);
 static const double elastic__ELASTIC_SHARP = 1e-13;
@@ -1797,29 +1738,6 @@ static inline int64_t forces__add_forces(array_double_1d work, int64_t total, in
 static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing);
 static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d work);
 
-/* wheelset/friction.py */
-static const double friction__PI = 3.141592653589793;
-static const double friction__FLANGE_RANGE = 0.2;
-static inline double friction__flange_share(array_double_1d tables, double angle);
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding);
-static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor);
-static inline bool friction__is_frictional(double friction, double limit);
-
-/* wheelset/friction_load.py */
-static const double friction_load__LOAD_MET = 1e-09;
-static const double friction_load__LOAD_MISSED = 0.001;
-static const int64_t friction_load__LOAD_PASSES = INT64_C(8);
-static const int64_t friction_load__LOAD_RATES = INT64_C(6);
-static const double friction_load__LARGEST_CHANGE = 2.0;
-static const double friction_load__LEAST_CHANGE = 1e-12;
-static inline int64_t friction_load__release_friction(array_double_1d work);
-static inline bool friction_load__carries_friction(array_double_1d tables, array_double_1d work);
-static inline double friction_load__carried_share(array_double_1d work, int64_t index);
-static inline bool friction_load__is_load_met(array_double_1d work, double share);
-static inline double friction_load__next_load(array_double_1d work, int64_t support, double share);
-static inline int64_t friction_load__share_load(array_double_1d work);
-
 /* wheelset/leaning.py */
 static const int64_t leaning__MEETINGS = INT64_C(80);
 static const double leaning__SECANTS = 10.0;
@@ -1837,11 +1755,6 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
 static inline double leaning__next_reference(array_double_1d work, double met);
 static inline bool leaning__note_reference(array_double_1d work, double height, double found, double met);
 
-/* wheelset/moving.py */
-static inline int64_t moving__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
-static inline int64_t moving__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t moving__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-
 /* wheelset/report.py */
 static const int64_t report__OUTLINE_RUNS = INT64_C(3);
 static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
@@ -1857,12 +1770,24 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
 static inline int64_t report__report(array_double_1d tables, array_double_1d work);
 
 /* wheelset/requested.py */
+static const double requested__LOAD_MET = 1e-09;
+static const double requested__LOAD_MISSED = 0.001;
+static const int64_t requested__LOAD_PASSES = INT64_C(8);
+static const int64_t requested__LOAD_RATES = INT64_C(6);
+static const double requested__LARGEST_CHANGE = 2.0;
+static const double requested__LEAST_CHANGE = 1e-12;
 static inline bool requested__is_rail_far(array_double_1d work);
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline bool requested__is_rolling(array_double_1d work);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
+static inline int64_t requested__release_friction(array_double_1d work);
+static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
+static inline double requested__carried_share(array_double_1d work, int64_t index);
+static inline bool requested__is_load_met(array_double_1d work, double share);
+static inline double requested__next_load(array_double_1d work, int64_t support, double share);
+static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
 static const double rigid__NEAR_SHIFT = 0.0002;
@@ -1872,12 +1797,24 @@ static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_doub
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
+static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
+static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
+static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations);
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index, double friction);
 static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 
 /* wheelset/side.py */
+static const double side__PARALLEL = 1e-06;
+static const double side__CORNER = 0.001;
+static const double side__AT_END = 1e-08;
+static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
@@ -1908,11 +1845,5 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, arra
 static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
-
-/* wheelset/wear.py */
-static inline double wear__strip_shear(array_double_1d work, int64_t strip);
-static inline double wear__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t wear__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
-static inline int64_t wear__write_wear(array_double_1d work, int64_t side, int64_t stations);
 
 #endif

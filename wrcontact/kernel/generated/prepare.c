@@ -2,139 +2,6 @@
 #include "prepare.h"
 
 
-/* ---- From prepare/arcs.py; change that one.
- *
- * Tables of the rail's arc length over its abscissa, and of the abscissa over the arc length.
- *
- * Cubics of Hermite over even cells: value and slope at the ends of a cell are exact.
- */
-
-/* A table of cubics over ``length`` [m] from ``start`` [m] on, at ``base``; its number of cells and the
- * offset after it, or FULL.
- */
-static inline int64_t prepare_arcs__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length)
-{
-    int64_t table;
-    int64_t end;
-    (*cells) = (int64_t)((int64_t)ceil(length / prepare_arcs__ARC_STEP));
-    table = base;
-    end = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * (*cells);
-    if (end > (int64_t)tables.shape[INT64_C(0)])
-    {
-        (*result_1) = prepare_pieces__FULL;
-        return 0;
-    }
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)) = (double)((*cells));
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_START)) = start;
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)) = (double)((*cells)) / length;
-    (*result_1) = end;
-    return 0;
-}
-
-/* Cell ``cell`` of the table at ``base``, with these values at its ends, and slopes per cell. */
-static inline int64_t prepare_arcs__write_cubic(array_double_1d tables, int64_t base, int64_t cell, double low, double high, double low_rise, double high_rise)
-{
-    int64_t cubic;
-    double rise;
-    cubic = base + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    rise = high - low;
-    (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) = low;
-    (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) = low_rise;
-    (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) = 3.0 * rise - 2.0 * low_rise - high_rise;
-    (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)) = low_rise + high_rise - 2.0 * rise;
-    return INT64_C(0);
-}
-
-/* Arc length per abscissa of the rail [-]. */
-static inline double prepare_arcs__rail_speed(array_double_1d tables, int64_t rail, double abscissa)
-{
-    double height;
-    double slope;
-    profile_table__height_slope(&height, &slope, tables, rail, abscissa);
-    return sqrt(1.0 + slope * slope);
-}
-
-/* The arc length of the rail over its abscissa, at ``base``; the offset after it, or FULL. */
-static inline int64_t prepare_arcs__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
-{
-    double start;
-    double width;
-    int64_t cells;
-    int64_t end;
-    double total;
-    double step;
-    double low;
-    double low_rise;
-    int64_t cell;
-    double x;
-    double high;
-    double high_rise;
-    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
-    width = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) - start;
-    prepare_arcs__open_table(&cells, &end, tables, base, start, width);
-    if (end == prepare_pieces__FULL)
-    {
-        return prepare_pieces__FULL;
-    }
-    total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
-    step = width / (double)(cells);
-    low = 0.0;
-    low_rise = step * prepare_arcs__rail_speed(tables, rail, start);
-    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
-    {
-        x = start + step * (double)(cell + INT64_C(1));
-        high = total;
-        if (cell + INT64_C(1) < cells)
-        {
-            high = prepare_curvatures__arc_length(tables, rail, x, work, scratch);
-        }
-        high_rise = step * prepare_arcs__rail_speed(tables, rail, x);
-        prepare_arcs__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
-        low = high;
-        low_rise = high_rise;
-    }
-    return end;
-}
-
-/* The abscissa of the rail over its arc length, at ``base``; the offset after it, or FULL. */
-static inline int64_t prepare_arcs__write_abscissae(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
-{
-    double start;
-    double total;
-    int64_t cells;
-    int64_t end;
-    double step;
-    double low;
-    double low_rise;
-    int64_t cell;
-    double high;
-    double high_rise;
-    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
-    total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
-    prepare_arcs__open_table(&cells, &end, tables, base, 0.0, total);
-    if (end == prepare_pieces__FULL)
-    {
-        return prepare_pieces__FULL;
-    }
-    step = total / (double)(cells);
-    low = start;
-    low_rise = step / prepare_arcs__rail_speed(tables, rail, start);
-    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
-    {
-        high = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
-        if (cell + INT64_C(1) < cells)
-        {
-            high = prepare_curvatures__place_at_length(tables, rail, step * (double)(cell + INT64_C(1)), work, scratch);
-        }
-        high_rise = step / prepare_arcs__rail_speed(tables, rail, high);
-        prepare_arcs__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
-        low = high;
-        low_rise = high_rise;
-    }
-    return end;
-}
-
-
 /* ---- From prepare/curvatures.py; change that one.
  *
  * Lateral curvature of a profile all along it, as the source takes it.
@@ -142,6 +9,9 @@ static inline int64_t prepare_arcs__write_abscissae(array_double_1d tables, int6
  * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the
  * table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
  * other one on a wheel. The table is the record CurvatureTable.
+ *
+ * The rail's arc length is tabled over its abscissa, and the abscissa over the arc length.  Cubics of Hermite
+ * over even cells: value and slope at the ends of a cell are exact.
  */
 
 /* Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
@@ -200,7 +70,7 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
     double w;
     low = double_max(2, y - reach, (*cspan_at(&tables, profile + layout__PROFILE_START)));
     high = double_min(2, y + reach, (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
-    profile_table__height_slope(&z_0, &slope, tables, profile, y);
+    tables__height_slope(&z_0, &slope, tables, profile, y);
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     sine = slope * cosine;
     n00 = 0.0;
@@ -215,7 +85,7 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
     for (k = INT64_C(0); k < prepare_curvatures__SAMPLES; k += INT64_C(1))
     {
         at = low + (high - low) * ((double)(k) / (double)(prepare_curvatures__SAMPLES - INT64_C(1)));
-        profile_table__height_slope(&z, &slope, tables, profile, at);
+        tables__height_slope(&z, &slope, tables, profile, at);
         across = at - y;
         down = z - z_0;
         u = (across * cosine + down * sine) / reach;
@@ -272,7 +142,7 @@ static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64
     total = 0.0;
     for (k = INT64_C(0); k < prepare_curvatures__GAUSS_POINTS; k += INT64_C(1))
     {
-        profile_table__height_slope(&z, &slope, tables, profile, 0.5 * (low + high) + half * (*cspan_at(&work, scratch + k)));
+        tables__height_slope(&z, &slope, tables, profile, 0.5 * (low + high) + half * (*cspan_at(&work, scratch + k)));
         total += sqrt(1.0 + slope * slope) * (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + k));
     }
     return half * total;
@@ -371,7 +241,7 @@ static inline double prepare_curvatures__place_at_length(array_double_1d tables,
     {
         before = y;
         missing = length - (*cspan_at(&work, lengths + piece)) - prepare_curvatures__arc_panel(tables, profile, low, y, work, scratch);
-        profile_table__height_slope(&z, &slope, tables, profile, y);
+        tables__height_slope(&z, &slope, tables, profile, y);
         y = double_min(2, double_max(2, y + missing / sqrt(1.0 + slope * slope), low), high);
         i += INT64_C(1);
         if (fabs(y - before) <= prepare_curvatures__ARC_SHARP)
@@ -400,9 +270,9 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
     y_0 = prepare_curvatures__place_at_length(tables, profile, middle - step, work, scratch);
     y_1 = prepare_curvatures__place_at_length(tables, profile, middle, work, scratch);
     y_2 = prepare_curvatures__place_at_length(tables, profile, middle + step, work, scratch);
-    profile_table__height_slope(&z_0, &slope, tables, profile, y_0);
-    profile_table__height_slope(&z_1, &slope, tables, profile, y_1);
-    profile_table__height_slope(&z_2, &slope, tables, profile, y_2);
+    tables__height_slope(&z_0, &slope, tables, profile, y_0);
+    tables__height_slope(&z_1, &slope, tables, profile, y_1);
+    tables__height_slope(&z_2, &slope, tables, profile, y_2);
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step;
 }
 
@@ -474,149 +344,129 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     return first + count;
 }
 
-
-/* ---- From prepare/fixed.py; change that one.
- *
- * Tables that do not depend on the profiles, from the array ``fixed`` (binding/fixed_tables.py).
- *
- * It begins with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's
- * ratios (binding/rolling_table.py).  The tables follow one after the other.
+/* A table of cubics over ``length`` [m] from ``start`` [m] on, at ``base``; its number of cells and the
+ * offset after it, or FULL.
  */
-
-/* Where table ``index`` begins. */
-static inline int64_t prepare_fixed__fixed_table(array_double_1d fixed, int64_t index)
+static inline int64_t prepare_curvatures__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length)
 {
-    int64_t i;
-    int64_t at;
-    at = prepare_fixed__FIXED_COUNT;
-    for (i = INT64_C(0); i < index; i += INT64_C(1))
+    int64_t table;
+    int64_t end;
+    (*cells) = (int64_t)((int64_t)ceil(length / prepare_curvatures__ARC_STEP));
+    table = base;
+    end = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * (*cells);
+    if (end > (int64_t)tables.shape[INT64_C(0)])
     {
-        at += (int64_t)((*cspan_at(&fixed, i)));
+        (*result_1) = prepare_pieces__FULL;
+        return 0;
     }
-    return at;
-}
-
-/* Copy table ``index`` to ``at``; the offset after it, or FULL. */
-static inline int64_t prepare_fixed__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index)
-{
-    int64_t size;
-    int64_t first;
-    int64_t i;
-    size = (int64_t)((*cspan_at(&fixed, index)));
-    if (at + size > (int64_t)tables.shape[INT64_C(0)])
-    {
-        return prepare_pieces__FULL;
-    }
-    first = prepare_fixed__fixed_table(fixed, index);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, at + i)) = (*cspan_at(&fixed, first + i));
-    }
-    return at + size;
-}
-
-/* Weights of the values at three nodes in the parabola through them at ``x``. */
-static inline int64_t prepare_fixed__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x)
-{
-    (*result_0) = (x - middle) * (x - high) / ((low - middle) * (low - high));
-    (*result_1) = (x - low) * (x - high) / ((middle - low) * (middle - high));
-    (*result_2) = (x - low) * (x - middle) / ((high - low) * (high - middle));
+    (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)) = (double)((*cells));
+    (*cspan_at(&tables, table + layout__CUBIC_TABLE_START)) = start;
+    (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)) = (double)((*cells)) / length;
+    (*result_1) = end;
     return 0;
 }
 
-/* The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
- * after it, or FULL.
- */
-static inline int64_t prepare_fixed__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio)
+/* Cell ``cell`` of the table at ``base``, with these values at its ends, and slopes per cell. */
+static inline int64_t prepare_curvatures__write_cubic(array_double_1d tables, int64_t base, int64_t cell, double low, double high, double low_rise, double high_rise)
 {
-    int64_t first;
-    int64_t i;
-    if (at + layout__ROLLING_TABLE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    int64_t cubic;
+    double rise;
+    cubic = base + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
+    rise = high - low;
+    (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) = low;
+    (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) = low_rise;
+    (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) = 3.0 * rise - 2.0 * low_rise - high_rise;
+    (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)) = low_rise + high_rise - 2.0 * rise;
+    return INT64_C(0);
+}
+
+/* Arc length per abscissa of the rail [-]. */
+static inline double prepare_curvatures__rail_speed(array_double_1d tables, int64_t rail, double abscissa)
+{
+    double height;
+    double slope;
+    tables__height_slope(&height, &slope, tables, rail, abscissa);
+    return sqrt(1.0 + slope * slope);
+}
+
+/* The arc length of the rail over its abscissa, at ``base``; the offset after it, or FULL. */
+static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
+{
+    double start;
+    double width;
+    int64_t cells;
+    int64_t end;
+    double total;
+    double step;
+    double low;
+    double low_rise;
+    int64_t cell;
+    double x;
+    double high;
+    double high_rise;
+    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    width = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) - start;
+    prepare_curvatures__open_table(&cells, &end, tables, base, start, width);
+    if (end == prepare_pieces__FULL)
     {
         return prepare_pieces__FULL;
     }
-    first = prepare_fixed__fixed_table(fixed, prepare_fixed__FIXED_ROLLING);
-    for (i = INT64_C(0); i < layout__POINT_LIMIT; i += INT64_C(1))
+    total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
+    step = width / (double)(cells);
+    low = 0.0;
+    low_rise = step * prepare_curvatures__rail_speed(tables, rail, start);
+    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
     {
-        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_COSINES + i)) = (*cspan_at(&fixed, first + i));
-        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SINES + i)) = (*cspan_at(&fixed, first + layout__POINT_LIMIT + i));
-    }
-    first = prepare_fixed__write_shapes(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first + INT64_C(2) * layout__POINT_LIMIT, poisson_ratio);
-    first = prepare_fixed__write_reaches(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
-    prepare_fixed__write_corrections(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
-    return at + layout__ROLLING_TABLE_SIZE;
-}
-
-/* The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them. */
-static inline int64_t prepare_fixed__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
-{
-    int64_t size;
-    double low;
-    double middle;
-    double high;
-    int64_t i;
-    size = layout__SHAPE_ROW * layout__SHAPE_CELLS;
-    prepare_fixed__parabola_weights(&low, &middle, &high, prepare_fixed__LOW_RATIO, prepare_fixed__MIDDLE_RATIO, prepare_fixed__HIGH_RATIO, poisson_ratio);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + i)) = low * (*cspan_at(&fixed, first + i)) + middle * (*cspan_at(&fixed, first + size + i)) + high * (*cspan_at(&fixed, first + INT64_C(2) * size + i));
-    }
-    return first + INT64_C(3) * size;
-}
-
-/* The reaches, eq. (K5) of binding/reach_table.py, from ``first`` on; the place behind them. */
-static inline int64_t prepare_fixed__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
-{
-    int64_t size;
-    int64_t i;
-    double weight;
-    size = layout__REACH_ROW * (layout__REACH_CELLS + INT64_C(1));
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
-    {
-        weight = poisson_ratio;
-        if (pyc_modulo(py_floor_div_int64_t(i, INT64_C(4)), layout__REACH_COLUMNS) == INT64_C(0))
+        x = start + step * (double)(cell + INT64_C(1));
+        high = total;
+        if (cell + INT64_C(1) < cells)
         {
-            weight = poisson_ratio / (1.0 - poisson_ratio);
+            high = prepare_curvatures__arc_length(tables, rail, x, work, scratch);
         }
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + i)) = (*cspan_at(&fixed, first + i)) + weight * (*cspan_at(&fixed, first + size + i));
+        high_rise = step * prepare_curvatures__rail_speed(tables, rail, x);
+        prepare_curvatures__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
+        low = high;
+        low_rise = high_rise;
     }
-    return first + INT64_C(2) * size;
+    return end;
 }
 
-/* The corrections, parabolas of Poisson's ratio, from ``first`` on. */
-static inline int64_t prepare_fixed__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
+/* The abscissa of the rail over its arc length, at ``base``; the offset after it, or FULL. */
+static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
 {
-    double ratio;
-    int64_t i;
+    double start;
+    double total;
+    int64_t cells;
+    int64_t end;
+    double step;
     double low;
-    double middle;
+    double low_rise;
+    int64_t cell;
     double high;
-    int64_t at;
-    ratio = poisson_ratio;
-    if (ratio < prepare_fixed__FIRST_CORRECTION)
+    double high_rise;
+    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
+    prepare_curvatures__open_table(&cells, &end, tables, base, 0.0, total);
+    if (end == prepare_pieces__FULL)
     {
-        ratio = prepare_fixed__FIRST_CORRECTION;
+        return prepare_pieces__FULL;
     }
-    if (ratio > prepare_fixed__THIRD_CORRECTION)
+    step = total / (double)(cells);
+    low = start;
+    low_rise = step / prepare_curvatures__rail_speed(tables, rail, start);
+    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
     {
-        ratio = prepare_fixed__THIRD_CORRECTION;
+        high = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
+        if (cell + INT64_C(1) < cells)
+        {
+            high = prepare_curvatures__place_at_length(tables, rail, step * (double)(cell + INT64_C(1)), work, scratch);
+        }
+        high_rise = step / prepare_curvatures__rail_speed(tables, rail, high);
+        prepare_curvatures__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
+        low = high;
+        low_rise = high_rise;
     }
-    for (i = INT64_C(0); i < layout__CORRECTION_RADII; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + i)) = (*cspan_at(&fixed, first + i));
-    }
-    prepare_fixed__parabola_weights(&low, &middle, &high, prepare_fixed__FIRST_CORRECTION, prepare_fixed__SECOND_CORRECTION, prepare_fixed__THIRD_CORRECTION, ratio);
-    at = first + layout__CORRECTION_RADII;
-    for (i = INT64_C(0); i < layout__CORRECTION_SCALES; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SCALES + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SCALES + i));
-    }
-    at += INT64_C(3) * layout__CORRECTION_SCALES;
-    for (i = INT64_C(0); i < layout__CORRECTION_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SIZE + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SIZE + i));
-    }
-    return INT64_C(0);
+    return end;
 }
 
 
@@ -933,323 +783,6 @@ static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t 
 }
 
 
-/* ---- From prepare/placement.py; change that one.
- *
- * The rail on the track, and the part of a wheel that can be read.
- *
- * A definition (zones.py) is turned and shifted into another one, in millimetres.
- */
-
-/* What has the sign of the slope of a zone turned by ``angle`` [rad], at ``t`` [mm]. */
-static inline double prepare_placement__turned_slope(array_double_1d zones, int64_t row, double t, double angle)
-{
-    double z;
-    double slope;
-    double bend;
-    prepare_zones__upright_jet(&z, &slope, &bend, zones, row, t);
-    return sin(angle) + cos(angle) * slope;
-}
-
-/* Where in a zone the turned slope rises through zero [mm], to the last bit; its
- * start if that is nowhere.
- */
-static inline double prepare_placement__level_place(array_double_1d zones, int64_t row, double angle)
-{
-    double low;
-    double high;
-    double middle;
-    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    high = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
-    if (!((prepare_placement__turned_slope(zones, row, low, angle) < 0.0) && (0.0 <= prepare_placement__turned_slope(zones, row, high, angle))))
-    {
-        return low;
-    }
-    middle = 0.5 * (low + high);
-    while((low < middle) && (middle < high))
-    {
-        if (prepare_placement__turned_slope(zones, row, middle, angle) < 0.0)
-        {
-            low = middle;
-        }
-        else
-        {
-            high = middle;
-        }
-        middle = 0.5 * (low + high);
-    }
-    return middle;
-}
-
-/* Point (y, z) [mm] of the turned head where it is level and highest. */
-static inline int64_t prepare_placement__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle)
-{
-    double cosine;
-    double sine;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    double y;
-    double z;
-    (*y_top) = 0.0;
-    (*z_top) = 0.0;
-    cosine = cos(angle);
-    sine = sin(angle);
-    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-        prepare_zones__turned_point(&y, &z, zones, row, prepare_placement__level_place(zones, row, angle), cosine, sine);
-        if ((i == INT64_C(0)) || (z < (*z_top)))
-        {
-            (*y_top) = y;
-            (*z_top) = z;
-        }
-    }
-    return 0;
-}
-
-/* Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
- * deep, to the last bit.
- */
-static inline double prepare_placement__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth)
-{
-    double low;
-    double high;
-    double middle;
-    double z;
-    double y;
-    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    high = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), 0.0);
-    middle = 0.5 * (low + high);
-    while((low < middle) && (middle < high))
-    {
-        prepare_zones__turned_point(&y, &z, zones, row, middle, cosine, sine);
-        if (depth - z < 0.0)
-        {
-            low = middle;
-        }
-        else
-        {
-            high = middle;
-        }
-        middle = 0.5 * (low + high);
-    }
-    prepare_zones__turned_point(&y, &z, zones, row, middle, cosine, sine);
-    return y;
-}
-
-/* Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
- * reached, which is less where the side ends before.
- */
-static inline int64_t prepare_placement__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth)
-{
-    double deepest;
-    double cosine;
-    double sine;
-    int64_t i;
-    int64_t row;
-    double y;
-    double z;
-    deepest = prepare_placement__NO_FACE;
-    cosine = cos(angle);
-    sine = sin(angle);
-    i = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT))) - INT64_C(1);
-    while(i >= INT64_C(0))
-    {
-        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-        if ((*cspan_at(&zones, row + prepare_zones__ZONE_START)) < 0.0)
-        {
-            prepare_zones__turned_point(&y, &z, zones, row, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), cosine, sine);
-            if (z >= depth)
-            {
-                (*result_0_0001) = prepare_placement__place_at_depth(zones, row, cosine, sine, depth);
-                (*result_1_0001) = depth;
-                return 0;
-            }
-            if (z > deepest)
-            {
-                deepest = z;
-            }
-        }
-        i -= INT64_C(1);
-    }
-    (*result_0_0001) = 0.0;
-    (*result_1_0001) = deepest;
-    return 0;
-}
-
-/* Turn and shift an arc in place, without what is steeper than STEEPEST; 0 if nothing is left, else 1. */
-static inline int64_t prepare_placement__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
-{
-    double tilt;
-    double y_centre;
-    double z_centre;
-    double radius;
-    double start;
-    double stop;
-    double c;
-    double s;
-    double y_start;
-    double z_start;
-    double y_stop;
-    double z_stop;
-    tilt = (-(*cspan_at(&zones, row + prepare_zones__ZONE_SIDE))) * angle;
-    y_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
-    z_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE));
-    radius = (*cspan_at(&zones, row + prepare_zones__ZONE_RADIUS));
-    start = double_max(2, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), y_centre - radius * sin(prepare_placement__STEEPEST + tilt));
-    stop = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), y_centre + radius * sin(prepare_placement__STEEPEST - tilt));
-    if (stop - start <= prepare_placement__SLIVER)
-    {
-        return INT64_C(0);
-    }
-    c = cos(angle);
-    s = sin(angle);
-    prepare_zones__turned_point(&y_start, &z_start, zones, row, start, c, s);
-    prepare_zones__turned_point(&y_stop, &z_stop, zones, row, stop, c, s);
-    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_start + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_stop + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN)) = c * y_centre - s * z_centre + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) = s * y_centre + c * z_centre + z_shift;
-    return INT64_C(1);
-}
-
-/* Turn and shift a polynomial in place; 0 if it is steeper than STEEPEST at an end, else 1. */
-static inline int64_t prepare_placement__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
-{
-    double first;
-    double last;
-    double z;
-    double at_first;
-    double bend;
-    double at_last;
-    double c;
-    double s;
-    double y_first;
-    double y_last;
-    if ((angle == 0.0) && (y_shift == 0.0) && (z_shift == 0.0))
-    {
-        return INT64_C(1);
-    }
-    first = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    last = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
-    prepare_zones__upright_jet(&z, &at_first, &bend, zones, row, first);
-    prepare_zones__upright_jet(&z, &at_last, &bend, zones, row, last);
-    if ((fabs(atan(at_first) + angle) > prepare_placement__STEEPEST) || (fabs(atan(at_last) + angle) > prepare_placement__STEEPEST))
-    {
-        return INT64_C(0);
-    }
-    c = cos(angle);
-    s = sin(angle);
-    prepare_zones__turned_point(&y_first, &z, zones, row, first, c, s);
-    prepare_zones__turned_point(&y_last, &z, zones, row, last, c, s);
-    (*cspan_at(&zones, row + prepare_zones__ZONE_TURNED)) = 1.0;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_COS)) = c;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_SIN)) = s;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT)) = y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_SHIFT)) = z_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST)) = first;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_LAST)) = last;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_first + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_last + y_shift;
-    return INT64_C(1);
-}
-
-/* Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
- * how many zones are left.
- */
-static inline int64_t prepare_placement__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift)
-{
-    int64_t size;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    int64_t k;
-    int64_t left;
-    int64_t kept;
-    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-    kept = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        row = base + prepare_zones__DEFINITION_ZONES + kept * size;
-        for (k = INT64_C(0); k < size; k += INT64_C(1))
-        {
-            (*cspan_at(&zones, row + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + i * size + k));
-        }
-        left = INT64_C(0);
-        if ((int64_t)((*cspan_at(&zones, row + prepare_zones__ZONE_FAMILY))) == prepare_zones__FAMILY_ARC)
-        {
-            left = prepare_placement__turn_arc(zones, row, angle, y_shift, z_shift);
-        }
-        else
-        {
-            left = prepare_placement__turn_polynomial(zones, row, angle, y_shift, z_shift);
-        }
-        kept += left;
-    }
-    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
-    return kept;
-}
-
-/* Keep the unbroken run of zones that holds y = 0; how many that are. */
-static inline int64_t prepare_placement__keep_around_top(array_double_1d zones, int64_t base)
-{
-    int64_t size;
-    int64_t count;
-    int64_t first;
-    bool found;
-    int64_t row;
-    int64_t last;
-    int64_t k;
-    int64_t kept;
-    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-    count = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    first = INT64_C(0);
-    found = 0;
-    while((!found) && (first < count))
-    {
-        row = base + prepare_zones__DEFINITION_ZONES + first * size;
-        if (((*cspan_at(&zones, row + prepare_zones__ZONE_START)) <= 0.0) && (0.0 <= (*cspan_at(&zones, row + prepare_zones__ZONE_STOP))))
-        {
-            found = 1;
-        }
-        else
-        {
-            first += INT64_C(1);
-        }
-    }
-    last = first;
-    while(found && (first > INT64_C(0)) && prepare_placement__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + (first - INT64_C(1)) * size, size))
-    {
-        first -= INT64_C(1);
-    }
-    while(found && (last + INT64_C(1) < count) && prepare_placement__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + last * size, size))
-    {
-        last += INT64_C(1);
-    }
-    kept = INT64_C(0);
-    if (found)
-    {
-        kept = last + INT64_C(1) - first;
-    }
-    for (k = INT64_C(0); k < kept * size; k += INT64_C(1))
-    {
-        (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + first * size + k));
-    }
-    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
-    return kept;
-}
-
-/* Whether the zone ends where the one after it starts. */
-static inline bool prepare_placement__meets_next(array_double_1d zones, int64_t row, int64_t size)
-{
-    bool result;
-    result = fabs((*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) - (*cspan_at(&zones, row + size + prepare_zones__ZONE_START))) < prepare_placement__MEETING;
-    return result;
-}
-
-
 /* ---- From prepare/scan.py; change that one.
  *
  * The search's raster over the wheel, with the bounds that certify it.
@@ -1270,7 +803,7 @@ static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t 
 static inline int64_t prepare_scan__piece_count(array_double_1d tables, int64_t base)
 {
     int64_t result;
-    result = py_floor_div_int64_t((profile_table__find_piece(tables, base, (*cspan_at(&tables, base + layout__PROFILE_STOP))) - prepare_scan__first_piece(tables, base)), layout__PIECE_SIZE) + INT64_C(1);
+    result = py_floor_div_int64_t((tables__find_piece(tables, base, (*cspan_at(&tables, base + layout__PROFILE_STOP))) - prepare_scan__first_piece(tables, base)), layout__PIECE_SIZE) + INT64_C(1);
     return result;
 }
 
@@ -1379,8 +912,8 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
     stop = (*cspan_at(&tables, base + layout__PROFILE_STOP));
     low = double_min(2, double_max(2, low, start), stop);
     high = double_min(2, double_max(2, high, start), stop);
-    profile_table__height_slope_bend(&z, &slope, least, tables, base, low);
-    profile_table__height_slope_bend(&z, &other, most, tables, base, high);
+    tables__height_slope_bend(&z, &slope, least, tables, base, low);
+    tables__height_slope_bend(&z, &other, most, tables, base, high);
     (*steepest) = double_max(2, fabs(slope), fabs(other));
     if ((*most) < (*least))
     {
@@ -1389,8 +922,8 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
         (*most) = bend;
     }
     first = prepare_scan__first_piece(tables, base);
-    last = profile_table__find_piece(tables, base, high);
-    begin = profile_table__find_piece(tables, base, low);
+    last = tables__find_piece(tables, base, high);
+    begin = tables__find_piece(tables, base, low);
     at = int64_t_max(2, begin - layout__PIECE_SIZE, first);
     while(at <= last)
     {
@@ -1508,7 +1041,7 @@ static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, i
     {
         node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
         y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
-        profile_table__height_slope(&z, &slope, tables, wheel, y);
+        tables__height_slope(&z, &slope, tables, wheel, y);
         (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)) = z;
         (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)) = slope;
         cells = INT64_C(1);
@@ -1557,7 +1090,7 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
         for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE; k += INT64_C(1))
         {
             y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
-            profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+            tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
             largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__TABLES_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
         }
         (*cspan_at(&tables, node + layout__SCAN_NODE_LEVER)) = largest;
@@ -1671,7 +1204,147 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
  * other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
  * of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
  * (``write_methods``).
+ *
+ * Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
+ * with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
+ * (binding/rolling_table.py).  The tables follow one after the other.
  */
+
+/* Where table ``index`` begins. */
+static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index)
+{
+    int64_t i;
+    int64_t at;
+    at = prepare_tables__FIXED_COUNT;
+    for (i = INT64_C(0); i < index; i += INT64_C(1))
+    {
+        at += (int64_t)((*cspan_at(&fixed, i)));
+    }
+    return at;
+}
+
+/* Copy table ``index`` to ``at``; the offset after it, or FULL. */
+static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index)
+{
+    int64_t size;
+    int64_t first;
+    int64_t i;
+    size = (int64_t)((*cspan_at(&fixed, index)));
+    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    first = prepare_tables__fixed_table(fixed, index);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, at + i)) = (*cspan_at(&fixed, first + i));
+    }
+    return at + size;
+}
+
+/* Weights of the values at three nodes in the parabola through them at ``x``. */
+static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x)
+{
+    (*result_0) = (x - middle) * (x - high) / ((low - middle) * (low - high));
+    (*result_1) = (x - low) * (x - high) / ((middle - low) * (middle - high));
+    (*result_2) = (x - low) * (x - middle) / ((high - low) * (high - middle));
+    return 0;
+}
+
+/* The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
+ * after it, or FULL.
+ */
+static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio)
+{
+    int64_t first;
+    int64_t i;
+    if (at + layout__ROLLING_TABLE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    first = prepare_tables__fixed_table(fixed, prepare_tables__FIXED_ROLLING);
+    for (i = INT64_C(0); i < layout__POINT_LIMIT; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_COSINES + i)) = (*cspan_at(&fixed, first + i));
+        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SINES + i)) = (*cspan_at(&fixed, first + layout__POINT_LIMIT + i));
+    }
+    first = prepare_tables__write_shapes(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first + INT64_C(2) * layout__POINT_LIMIT, poisson_ratio);
+    first = prepare_tables__write_reaches(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
+    prepare_tables__write_corrections(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
+    return at + layout__ROLLING_TABLE_SIZE;
+}
+
+/* The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them. */
+static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
+{
+    int64_t size;
+    double low;
+    double middle;
+    double high;
+    int64_t i;
+    size = layout__SHAPE_ROW * layout__SHAPE_CELLS;
+    prepare_tables__parabola_weights(&low, &middle, &high, prepare_tables__LOW_RATIO, prepare_tables__MIDDLE_RATIO, prepare_tables__HIGH_RATIO, poisson_ratio);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + i)) = low * (*cspan_at(&fixed, first + i)) + middle * (*cspan_at(&fixed, first + size + i)) + high * (*cspan_at(&fixed, first + INT64_C(2) * size + i));
+    }
+    return first + INT64_C(3) * size;
+}
+
+/* The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them. */
+static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
+{
+    int64_t size;
+    int64_t i;
+    double weight;
+    size = layout__REACH_ROW * (layout__REACH_CELLS + INT64_C(1));
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        weight = poisson_ratio;
+        if (pyc_modulo(py_floor_div_int64_t(i, INT64_C(4)), layout__REACH_COLUMNS) == INT64_C(0))
+        {
+            weight = poisson_ratio / (1.0 - poisson_ratio);
+        }
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + i)) = (*cspan_at(&fixed, first + i)) + weight * (*cspan_at(&fixed, first + size + i));
+    }
+    return first + INT64_C(2) * size;
+}
+
+/* The corrections, parabolas of Poisson's ratio, from ``first`` on. */
+static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
+{
+    double ratio;
+    int64_t i;
+    double low;
+    double middle;
+    double high;
+    int64_t at;
+    ratio = poisson_ratio;
+    if (ratio < prepare_tables__FIRST_CORRECTION)
+    {
+        ratio = prepare_tables__FIRST_CORRECTION;
+    }
+    if (ratio > prepare_tables__THIRD_CORRECTION)
+    {
+        ratio = prepare_tables__THIRD_CORRECTION;
+    }
+    for (i = INT64_C(0); i < layout__CORRECTION_RADII; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + i)) = (*cspan_at(&fixed, first + i));
+    }
+    prepare_tables__parabola_weights(&low, &middle, &high, prepare_tables__FIRST_CORRECTION, prepare_tables__SECOND_CORRECTION, prepare_tables__THIRD_CORRECTION, ratio);
+    at = first + layout__CORRECTION_RADII;
+    for (i = INT64_C(0); i < layout__CORRECTION_SCALES; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SCALES + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SCALES + i));
+    }
+    at += INT64_C(3) * layout__CORRECTION_SCALES;
+    for (i = INT64_C(0); i < layout__CORRECTION_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SIZE + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SIZE + i));
+    }
+    return INT64_C(0);
+}
 
 /* Copy a definition into the workspace; the offset after it. */
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at)
@@ -1698,9 +1371,9 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
     double y_gauge;
     double reached;
     angle = -atan((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION)));
-    prepare_placement__highest_point(&y_top, &z_top, work, rail, angle);
+    prepare_zones__highest_point(&y_top, &z_top, work, rail, angle);
     depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
-    prepare_placement__inner_face(&y_gauge, &reached, work, rail, angle, depth);
+    prepare_zones__inner_face(&y_gauge, &reached, work, rail, angle, depth);
     if (reached < depth)
     {
         (*cspan_at(&report, prepare_tables__REPORT_DEEPEST)) = reached * prepare_pieces__MM;
@@ -1708,9 +1381,9 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
         return prepare_tables__GAUGE_TOO_DEEP;
     }
     (*cspan_at(&tables, layout__TABLES_RAIL_Y)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
-    prepare_placement__turn_zones(work, rail, angle, -y_top, -z_top);
-    prepare_placement__turn_zones(work, wheel, 0.0, 0.0, 0.0);
-    if ((prepare_placement__keep_around_top(work, rail) == INT64_C(0)) || (prepare_placement__keep_around_top(work, wheel) == INT64_C(0)))
+    prepare_zones__turn_zones(work, rail, angle, -y_top, -z_top);
+    prepare_zones__turn_zones(work, wheel, 0.0, 0.0, 0.0);
+    if ((prepare_zones__keep_around_top(work, rail) == INT64_C(0)) || (prepare_zones__keep_around_top(work, wheel) == INT64_C(0)))
     {
         return prepare_tables__WITHOUT_HEAD;
     }
@@ -1783,7 +1456,7 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
 }
 
 /* Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
- * depend on the profiles (fixed.py); the workspace holds both definitions and as much again as the
+ * depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
  * tables.
  */
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report)
@@ -1830,17 +1503,17 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_HERTZ)) = (double)(at);
-        at = prepare_fixed__append_fixed(tables, at, fixed, prepare_fixed__FIXED_HERTZ);
+        at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_HERTZ);
     }
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_INFLUENCE)) = (double)(at);
-        at = prepare_fixed__append_fixed(tables, at, fixed, prepare_fixed__FIXED_INFLUENCE);
+        at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_INFLUENCE);
     }
     if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)) != layout__TANGENTIAL_NONE))
     {
         (*cspan_at(&tables, layout__TABLES_ROLLING)) = (double)(at);
-        at = prepare_fixed__append_rolling(tables, at, fixed, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
+        at = prepare_tables__append_rolling(tables, at, fixed, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
     }
     if (at != prepare_pieces__FULL)
     {
@@ -1859,12 +1532,12 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_RAIL_ARC)) = (double)(at);
-        at = prepare_arcs__write_arcs(tables, at, rail, work, scratch);
+        at = prepare_curvatures__write_arcs(tables, at, rail, work, scratch);
     }
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)) = (double)(at);
-        at = prepare_arcs__write_abscissae(tables, at, rail, work, scratch);
+        at = prepare_curvatures__write_abscissae(tables, at, rail, work, scratch);
     }
     if (at == prepare_pieces__FULL)
     {
@@ -1938,6 +1611,9 @@ static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
  * A definition is one array: how many zones, the length of their rows, then the rows.
  * wrcontact/profiles/zones.py has the same zones as objects, and
  * wrcontact/profiles/definition.py turns one into the other.
+ *
+ * The rail on the track, and the part of a wheel that can be read, are definitions that are turned, shifted and
+ * cut from these.
  */
 
 /* Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],
@@ -2086,4 +1762,313 @@ static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* 
         prepare_zones__upright_jet(z, slope, bend, zones, row, y);
     }
     return 0;
+}
+
+/* What has the sign of the slope of a zone turned by ``angle`` [rad], at ``t`` [mm]. */
+static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle)
+{
+    double z;
+    double slope;
+    double bend;
+    prepare_zones__upright_jet(&z, &slope, &bend, zones, row, t);
+    return sin(angle) + cos(angle) * slope;
+}
+
+/* Where in a zone the turned slope rises through zero [mm], to the last bit; its
+ * start if that is nowhere.
+ */
+static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double angle)
+{
+    double low;
+    double high;
+    double middle;
+    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
+    high = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
+    if (!((prepare_zones__turned_slope(zones, row, low, angle) < 0.0) && (0.0 <= prepare_zones__turned_slope(zones, row, high, angle))))
+    {
+        return low;
+    }
+    middle = 0.5 * (low + high);
+    while((low < middle) && (middle < high))
+    {
+        if (prepare_zones__turned_slope(zones, row, middle, angle) < 0.0)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+        middle = 0.5 * (low + high);
+    }
+    return middle;
+}
+
+/* Point (y, z) [mm] of the turned head where it is level and highest. */
+static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle)
+{
+    double cosine;
+    double sine;
+    int64_t i_end;
+    int64_t i;
+    int64_t row;
+    double y;
+    double z;
+    (*y_top) = 0.0;
+    (*z_top) = 0.0;
+    cosine = cos(angle);
+    sine = sin(angle);
+    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+        prepare_zones__turned_point(&y, &z, zones, row, prepare_zones__level_place(zones, row, angle), cosine, sine);
+        if ((i == INT64_C(0)) || (z < (*z_top)))
+        {
+            (*y_top) = y;
+            (*z_top) = z;
+        }
+    }
+    return 0;
+}
+
+/* Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
+ * deep, to the last bit.
+ */
+static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth)
+{
+    double low;
+    double high;
+    double middle;
+    double z;
+    double y;
+    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
+    high = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), 0.0);
+    middle = 0.5 * (low + high);
+    while((low < middle) && (middle < high))
+    {
+        prepare_zones__turned_point(&y, &z, zones, row, middle, cosine, sine);
+        if (depth - z < 0.0)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+        middle = 0.5 * (low + high);
+    }
+    prepare_zones__turned_point(&y, &z, zones, row, middle, cosine, sine);
+    return y;
+}
+
+/* Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
+ * reached, which is less where the side ends before.
+ */
+static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth)
+{
+    double deepest;
+    double cosine;
+    double sine;
+    int64_t i;
+    int64_t row;
+    double y;
+    double z;
+    deepest = prepare_zones__NO_FACE;
+    cosine = cos(angle);
+    sine = sin(angle);
+    i = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT))) - INT64_C(1);
+    while(i >= INT64_C(0))
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+        if ((*cspan_at(&zones, row + prepare_zones__ZONE_START)) < 0.0)
+        {
+            prepare_zones__turned_point(&y, &z, zones, row, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), cosine, sine);
+            if (z >= depth)
+            {
+                (*result_0_0001) = prepare_zones__place_at_depth(zones, row, cosine, sine, depth);
+                (*result_1_0001) = depth;
+                return 0;
+            }
+            if (z > deepest)
+            {
+                deepest = z;
+            }
+        }
+        i -= INT64_C(1);
+    }
+    (*result_0_0001) = 0.0;
+    (*result_1_0001) = deepest;
+    return 0;
+}
+
+/* Turn and shift an arc in place, without what is steeper than STEEPEST; 0 if nothing is left, else 1. */
+static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
+{
+    double tilt;
+    double y_centre;
+    double z_centre;
+    double radius;
+    double start;
+    double stop;
+    double c;
+    double s;
+    double y_start;
+    double z_start;
+    double y_stop;
+    double z_stop;
+    tilt = (-(*cspan_at(&zones, row + prepare_zones__ZONE_SIDE))) * angle;
+    y_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
+    z_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE));
+    radius = (*cspan_at(&zones, row + prepare_zones__ZONE_RADIUS));
+    start = double_max(2, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), y_centre - radius * sin(prepare_zones__STEEPEST + tilt));
+    stop = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), y_centre + radius * sin(prepare_zones__STEEPEST - tilt));
+    if (stop - start <= prepare_zones__SLIVER)
+    {
+        return INT64_C(0);
+    }
+    c = cos(angle);
+    s = sin(angle);
+    prepare_zones__turned_point(&y_start, &z_start, zones, row, start, c, s);
+    prepare_zones__turned_point(&y_stop, &z_stop, zones, row, stop, c, s);
+    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_start + y_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_stop + y_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN)) = c * y_centre - s * z_centre + y_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) = s * y_centre + c * z_centre + z_shift;
+    return INT64_C(1);
+}
+
+/* Turn and shift a polynomial in place; 0 if it is steeper than STEEPEST at an end, else 1. */
+static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
+{
+    double first;
+    double last;
+    double z;
+    double at_first;
+    double bend;
+    double at_last;
+    double c;
+    double s;
+    double y_first;
+    double y_last;
+    if ((angle == 0.0) && (y_shift == 0.0) && (z_shift == 0.0))
+    {
+        return INT64_C(1);
+    }
+    first = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
+    last = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
+    prepare_zones__upright_jet(&z, &at_first, &bend, zones, row, first);
+    prepare_zones__upright_jet(&z, &at_last, &bend, zones, row, last);
+    if ((fabs(atan(at_first) + angle) > prepare_zones__STEEPEST) || (fabs(atan(at_last) + angle) > prepare_zones__STEEPEST))
+    {
+        return INT64_C(0);
+    }
+    c = cos(angle);
+    s = sin(angle);
+    prepare_zones__turned_point(&y_first, &z, zones, row, first, c, s);
+    prepare_zones__turned_point(&y_last, &z, zones, row, last, c, s);
+    (*cspan_at(&zones, row + prepare_zones__ZONE_TURNED)) = 1.0;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_COS)) = c;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_SIN)) = s;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT)) = y_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_SHIFT)) = z_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST)) = first;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_LAST)) = last;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_first + y_shift;
+    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_last + y_shift;
+    return INT64_C(1);
+}
+
+/* Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
+ * how many zones are left.
+ */
+static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift)
+{
+    int64_t size;
+    int64_t i_end;
+    int64_t i;
+    int64_t row;
+    int64_t k;
+    int64_t left;
+    int64_t kept;
+    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+    kept = INT64_C(0);
+    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + kept * size;
+        for (k = INT64_C(0); k < size; k += INT64_C(1))
+        {
+            (*cspan_at(&zones, row + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + i * size + k));
+        }
+        left = INT64_C(0);
+        if ((int64_t)((*cspan_at(&zones, row + prepare_zones__ZONE_FAMILY))) == prepare_zones__FAMILY_ARC)
+        {
+            left = prepare_zones__turn_arc(zones, row, angle, y_shift, z_shift);
+        }
+        else
+        {
+            left = prepare_zones__turn_polynomial(zones, row, angle, y_shift, z_shift);
+        }
+        kept += left;
+    }
+    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
+    return kept;
+}
+
+/* Keep the unbroken run of zones that holds y = 0; how many that are. */
+static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int64_t base)
+{
+    int64_t size;
+    int64_t count;
+    int64_t first;
+    bool found;
+    int64_t row;
+    int64_t last;
+    int64_t k;
+    int64_t kept;
+    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+    count = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
+    first = INT64_C(0);
+    found = 0;
+    while((!found) && (first < count))
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + first * size;
+        if (((*cspan_at(&zones, row + prepare_zones__ZONE_START)) <= 0.0) && (0.0 <= (*cspan_at(&zones, row + prepare_zones__ZONE_STOP))))
+        {
+            found = 1;
+        }
+        else
+        {
+            first += INT64_C(1);
+        }
+    }
+    last = first;
+    while(found && (first > INT64_C(0)) && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + (first - INT64_C(1)) * size, size))
+    {
+        first -= INT64_C(1);
+    }
+    while(found && (last + INT64_C(1) < count) && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + last * size, size))
+    {
+        last += INT64_C(1);
+    }
+    kept = INT64_C(0);
+    if (found)
+    {
+        kept = last + INT64_C(1) - first;
+    }
+    for (k = INT64_C(0); k < kept * size; k += INT64_C(1))
+    {
+        (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + first * size + k));
+    }
+    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
+    return kept;
+}
+
+/* Whether the zone ends where the one after it starts. */
+static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size)
+{
+    bool result;
+    result = fabs((*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) - (*cspan_at(&zones, row + size + prepare_zones__ZONE_START))) < prepare_zones__MEETING;
+    return result;
 }

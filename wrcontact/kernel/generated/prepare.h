@@ -4,14 +4,6 @@
 
 #include "kernel.h"
 
-/* prepare/arcs.py */
-static const double prepare_arcs__ARC_STEP = 0.0001;
-static inline int64_t prepare_arcs__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length);
-static inline int64_t prepare_arcs__write_cubic(array_double_1d tables, int64_t base, int64_t cell, double low, double high, double low_rise, double high_rise);
-static inline double prepare_arcs__rail_speed(array_double_1d tables, int64_t rail, double abscissa);
-static inline int64_t prepare_arcs__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_arcs__write_abscissae(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch);
-
 /* prepare/curvatures.py */
 static const double prepare_curvatures__RASTER_SHARE = 0.25;
 static const double prepare_curvatures__FINEST = 1e-05;
@@ -20,6 +12,7 @@ static const int64_t prepare_curvatures__SAMPLES = INT64_C(61);
 static const int64_t prepare_curvatures__GAUSS_POINTS = INT64_C(10);
 static const int64_t prepare_curvatures__ARC_ITERATIONS = INT64_C(30);
 static const double prepare_curvatures__ARC_SHARP = 1e-15;
+static const double prepare_curvatures__ARC_STEP = 0.0001;
 static inline double prepare_curvatures__circle_curvature(double n00, double n01, double n02, double n11, double n12, double n22, double r0, double r1, double r2);
 static inline double prepare_curvatures__fitted_curvature(array_double_1d tables, int64_t profile, double y, double reach);
 static inline int64_t prepare_curvatures__write_gauss(array_double_1d work, int64_t scratch);
@@ -29,25 +22,11 @@ static inline double prepare_curvatures__arc_length(array_double_1d tables, int6
 static inline double prepare_curvatures__place_at_length(array_double_1d tables, int64_t profile, double length, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch);
-
-/* prepare/fixed.py */
-static const int64_t prepare_fixed__FIXED_HERTZ = INT64_C(0);
-static const int64_t prepare_fixed__FIXED_INFLUENCE = INT64_C(1);
-static const int64_t prepare_fixed__FIXED_ROLLING = INT64_C(2);
-static const int64_t prepare_fixed__FIXED_COUNT = INT64_C(3);
-static const double prepare_fixed__LOW_RATIO = 0.0;
-static const double prepare_fixed__MIDDLE_RATIO = 0.25;
-static const double prepare_fixed__HIGH_RATIO = 0.5;
-static const double prepare_fixed__FIRST_CORRECTION = 0.25;
-static const double prepare_fixed__SECOND_CORRECTION = 0.28;
-static const double prepare_fixed__THIRD_CORRECTION = 0.3;
-static inline int64_t prepare_fixed__fixed_table(array_double_1d fixed, int64_t index);
-static inline int64_t prepare_fixed__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index);
-static inline int64_t prepare_fixed__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x);
-static inline int64_t prepare_fixed__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
-static inline int64_t prepare_fixed__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
-static inline int64_t prepare_fixed__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
-static inline int64_t prepare_fixed__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
+static inline int64_t prepare_curvatures__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length);
+static inline int64_t prepare_curvatures__write_cubic(array_double_1d tables, int64_t base, int64_t cell, double low, double high, double low_rise, double high_rise);
+static inline double prepare_curvatures__rail_speed(array_double_1d tables, int64_t rail, double abscissa);
+static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch);
 
 /* prepare/pieces.py */
 static const double prepare_pieces__PIECE_ERROR = 1e-09;
@@ -75,22 +54,6 @@ static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t
 static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t first, int64_t end);
 static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int64_t base, array_double_1d zones, int64_t definition, double nowhere, array_double_1d work, int64_t scratch);
 
-/* prepare/placement.py */
-static const double prepare_placement__STEEPEST = 1.3962634015954636;
-static const double prepare_placement__SLIVER = 1e-06;
-static const double prepare_placement__MEETING = 1e-09;
-static const double prepare_placement__NO_FACE = -1e+300;
-static inline double prepare_placement__turned_slope(array_double_1d zones, int64_t row, double t, double angle);
-static inline double prepare_placement__level_place(array_double_1d zones, int64_t row, double angle);
-static inline int64_t prepare_placement__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle);
-static inline double prepare_placement__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth);
-static inline int64_t prepare_placement__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth);
-static inline int64_t prepare_placement__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
-static inline int64_t prepare_placement__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
-static inline int64_t prepare_placement__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift);
-static inline bool prepare_placement__meets_next(array_double_1d zones, int64_t row, int64_t size);
-static inline int64_t prepare_placement__keep_around_top(array_double_1d zones, int64_t base);
-
 /* prepare/scan.py */
 static const double prepare_scan__COARSE_STEP = 0.001;
 static const double prepare_scan__FINE_STEP = 0.0005;
@@ -115,6 +78,16 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
 static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch);
 
 /* prepare/tables.py */
+static const int64_t prepare_tables__FIXED_HERTZ = INT64_C(0);
+static const int64_t prepare_tables__FIXED_INFLUENCE = INT64_C(1);
+static const int64_t prepare_tables__FIXED_ROLLING = INT64_C(2);
+static const int64_t prepare_tables__FIXED_COUNT = INT64_C(3);
+static const double prepare_tables__LOW_RATIO = 0.0;
+static const double prepare_tables__MIDDLE_RATIO = 0.25;
+static const double prepare_tables__HIGH_RATIO = 0.5;
+static const double prepare_tables__FIRST_CORRECTION = 0.25;
+static const double prepare_tables__SECOND_CORRECTION = 0.28;
+static const double prepare_tables__THIRD_CORRECTION = 0.3;
 static const int64_t prepare_tables__PREPARED = INT64_C(0);
 static const int64_t prepare_tables__TABLES_FULL = INT64_C(1);
 static const int64_t prepare_tables__GAUGE_TOO_DEEP = INT64_C(2);
@@ -127,6 +100,13 @@ static const int64_t prepare_tables__REPORT_DEPTH = INT64_C(3);
 static const int64_t prepare_tables__REPORT_COUNT = INT64_C(4);
 static const double prepare_tables__START_STEP = 0.0005;
 static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
+static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index);
+static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index);
+static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x);
+static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
+static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
+static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
+static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
 static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report);
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
@@ -163,6 +143,10 @@ static const int64_t prepare_zones__FAMILY_ARC = INT64_C(1);
 static const int64_t prepare_zones__TURNED_ITERATIONS = INT64_C(60);
 static const double prepare_zones__TURNED_SHARP = 1e-15;
 static const double prepare_zones__VERTICAL = 1e-90;
+static const double prepare_zones__STEEPEST = 1.3962634015954636;
+static const double prepare_zones__SLIVER = 1e-06;
+static const double prepare_zones__MEETING = 1e-09;
+static const double prepare_zones__NO_FACE = -1e+300;
 static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
 static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__upright_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
@@ -170,5 +154,15 @@ static inline int64_t prepare_zones__turned_point(double* result_0, double* resu
 static inline double prepare_zones__within(double x, double low, double high);
 static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y);
+static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle);
+static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double angle);
+static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle);
+static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth);
+static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth);
+static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
+static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
+static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift);
+static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size);
+static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int64_t base);
 
 #endif

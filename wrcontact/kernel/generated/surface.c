@@ -2,55 +2,82 @@
 #include "kernel.h"
 
 
-/* ---- From surface/cubic.py; change that one.
+/* ---- From surface/curvature.py; change that one.
  *
- * A cubic through four evenly spaced values.
+ * Curvatures of wheel and rail: across the track as prepared once (prepare/curvatures.py) and read off along
+ * the profiles, and that of the wheel along the track.
  */
 
-/* The cubic through values at -1, 0, 1, 2, at x. */
-static inline double cubic__cubic_through(double before, double low, double high, double after, double x)
-{
-    double bend;
-    double third;
-    bend = 0.5 * (before - 2.0 * low + high);
-    third = (after - 3.0 * high + 3.0 * low - before) / 6.0;
-    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third));
-}
-
-
-/* ---- From surface/cubic_table.py; change that one.
- *
- * A function read from a table of cubics over even cells (the record CubicTable).
+/* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
+ * that end.
  */
-
-/* Value of the function; outside the table, that at its end. */
-static inline double cubic_table__read_cubic(array_double_1d tables, int64_t table, double at)
+static inline double curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
 {
     int64_t cell;
-    double x;
-    int64_t cubic;
+    double share;
+    double before;
     double result;
-    table_cell__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
-    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    result = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
+    tables__table_cell(&cell, &share, (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0);
+    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
+    result = before + share * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
     return result;
 }
 
-/* Value of the function and its derivative; outside the table, those at its end. */
-static inline int64_t cubic_table__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at)
+/* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
+ * the source's eq. (6.5).
+ */
+static inline double curvature__relative_curvature(array_double_1d tables, double y, double abscissa)
 {
-    int64_t cell;
-    double x;
-    int64_t cubic;
-    double q2;
-    double q1;
-    table_cell__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
-    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
-    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
-    (*result_1) = (q1 + x * (q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    return 0;
+    double wheel;
+    double rail;
+    wheel = curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y);
+    rail = curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa);
+    return 0.5 * (wheel + rail);
+}
+
+/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
+ * ``slope`` [-] and second derivative ``bend`` [1/m].
+ *
+ * effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
+ * in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
+ * cos(delta) / r, the source's eq. (6.1). basic: 1/r.
+ */
+static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend)
+{
+    double r;
+    double sin_phi;
+    double cos_phi;
+    double e1;
+    double e2;
+    double e3;
+    double around;
+    double steep;
+    double curvature;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    curvature = 1.0 / r;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    {
+        return curvature;
+    }
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    {
+        curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
+    }
+    else
+    {
+        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+        e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+        e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+        around = e1 * cos_phi - e3 * sin_phi;
+        steep = sqrt(1.0 + slope * slope);
+        curvature = (around * around / r - bend * e2 * e2) / steep;
+        if (curvature < curvature__CURVATURE_FLOOR / (r * steep))
+        {
+            curvature = curvature__CURVATURE_FLOOR / (r * steep);
+        }
+    }
+    return curvature;
 }
 
 
@@ -92,9 +119,9 @@ static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, doub
     double z_rail;
     double rail_slope;
     double rail_bend;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
-    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -128,9 +155,9 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
     double cos_roll;
     double lateral;
     double vertical;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, z, slope);
-    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
+    tables__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     height = ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi;
@@ -164,10 +191,10 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     double vertical;
     double sin_phi;
     double cos_phi;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
     (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -185,40 +212,6 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     (*result_3) = rail_slope * lateral - vertical;
     (*result_4) = rail_bend * lateral - 1.0 - outline_slope * outline_slope;
     return 0;
-}
-
-
-/* ---- From surface/lateral_curvature.py; change that one.
- *
- * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
- * them.
- */
-
-/* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
- * that end.
- */
-static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
-{
-    int64_t cell;
-    double share;
-    double before;
-    double result;
-    table_cell__table_cell(&cell, &share, (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0);
-    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
-    result = before + share * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
-    return result;
-}
-
-/* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
- * the source's eq. (6.5).
- */
-static inline double lateral_curvature__relative_curvature(array_double_1d tables, double y, double abscissa)
-{
-    double wheel;
-    double rail;
-    wheel = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y);
-    rail = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa);
-    return 0.5 * (wheel + rail);
 }
 
 
@@ -457,147 +450,12 @@ static inline double locus__outline_x(array_double_1d work, array_double_1d tabl
     double r;
     double lateral;
     double result;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     result = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     return result;
-}
-
-
-/* ---- From surface/longitudinal_curvature.py; change that one.
- *
- * Curvature of the wheel along the track.
- */
-
-/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
- * ``slope`` [-] and second derivative ``bend`` [1/m].
- *
- * effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
- * in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
- * cos(delta) / r, the source's eq. (6.1). basic: 1/r.
- */
-static inline double longitudinal_curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend)
-{
-    double r;
-    double sin_phi;
-    double cos_phi;
-    double e1;
-    double e2;
-    double e3;
-    double around;
-    double steep;
-    double curvature;
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    curvature = 1.0 / r;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
-    {
-        return curvature;
-    }
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
-    {
-        curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
-    }
-    else
-    {
-        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-        e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-        around = e1 * cos_phi - e3 * sin_phi;
-        steep = sqrt(1.0 + slope * slope);
-        curvature = (around * around / r - bend * e2 * e2) / steep;
-        if (curvature < longitudinal_curvature__CURVATURE_FLOOR / (r * steep))
-        {
-            curvature = longitudinal_curvature__CURVATURE_FLOOR / (r * steep);
-        }
-    }
-    return curvature;
-}
-
-
-/* ---- From surface/profile_table.py; change that one.
- *
- * Heights, slopes and bends of a profile, from its table of quintic pieces (the record Profile).
- *
- * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the
- * table is read.
- */
-
-/* The piece that holds ``y`` [m]. */
-static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t profile, double y)
-{
-    double u;
-    double last;
-    int64_t piece;
-    u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
-    last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
-    piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
-    while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
-    {
-        piece = piece + layout__PIECE_SIZE;
-    }
-    return piece;
-}
-
-/* Height [m] and slope [-] of the profile at ``y`` [m]. */
-static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y)
-{
-    int64_t piece;
-    double u;
-    double p4;
-    double p3;
-    double p2;
-    double p1;
-    piece = profile_table__find_piece(tables, profile, y);
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    /* Horner's scheme, and again on the quotient that it leaves */
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    (*slope) = p1 + u * (p2 + u * (p3 + u * (p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5)))));
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    return 0;
-}
-
-/* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
-{
-    int64_t piece;
-    double u;
-    double p4;
-    double p3;
-    double p2;
-    double p1;
-    double q4;
-    double q3;
-    double q2;
-    double half_bend;
-    piece = profile_table__find_piece(tables, profile, y);
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    /* Horner's scheme as in height_slope, which is called most, and twice again on the quotient that it leaves */
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    q3 = p3 + u * q4;
-    q2 = p2 + u * q3;
-    half_bend = q2 + u * (q3 + u * (q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5))));
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = p1 + u * q2;
-    (*result_2) = 2.0 * half_bend;
-    return 0;
 }
 
 
@@ -722,16 +580,20 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
 }
 
 
-/* ---- From surface/table_cell.py; change that one.
+/* ---- From surface/tables.py; change that one.
  *
- * Where a value lies in a table with even steps.
+ * What is read from tables: a function from cubics over even cells (the record CubicTable); heights, slopes
+ * and bends of a profile from its quintic pieces (the record Profile).
+ *
+ * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the
+ * table is read.
  */
 
 /* The cell that holds ``u`` [cells], and where in it, 0 ... 1.
  *
  * ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
  */
-static inline int64_t table_cell__table_cell(int64_t* cell, double* result_1, double u, double last)
+static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last)
 {
     if (!(u > 0.0))
     {
@@ -747,5 +609,110 @@ static inline int64_t table_cell__table_cell(int64_t* cell, double* result_1, do
         (*cell) = (int64_t)(last) - INT64_C(1);
     }
     (*result_1) = u - (double)((*cell));
+    return 0;
+}
+
+/* Value of the function; outside the table, that at its end. */
+static inline double tables__read_cubic(array_double_1d tables, int64_t table, double at)
+{
+    int64_t cell;
+    double x;
+    int64_t cubic;
+    double result;
+    tables__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
+    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
+    result = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
+    return result;
+}
+
+/* Value of the function and its derivative; outside the table, those at its end. */
+static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at)
+{
+    int64_t cell;
+    double x;
+    int64_t cubic;
+    double q2;
+    double q1;
+    tables__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
+    cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
+    q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
+    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
+    (*result_1) = (q1 + x * (q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    return 0;
+}
+
+/* The piece that holds ``y`` [m]. */
+static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y)
+{
+    double u;
+    double last;
+    int64_t piece;
+    u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
+    last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
+    if (!(u > 0.0))
+    {
+        u = 0.0;
+    }
+    if (u > last)
+    {
+        u = last;
+    }
+    piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
+    while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
+    {
+        piece = piece + layout__PIECE_SIZE;
+    }
+    return piece;
+}
+
+/* Height [m] and slope [-] of the profile at ``y`` [m]. */
+static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y)
+{
+    int64_t piece;
+    double u;
+    double p4;
+    double p3;
+    double p2;
+    double p1;
+    piece = tables__find_piece(tables, profile, y);
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    /* Horner's scheme, and again on the quotient that it leaves */
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    (*slope) = p1 + u * (p2 + u * (p3 + u * (p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5)))));
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
+    return 0;
+}
+
+/* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
+static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
+{
+    int64_t piece;
+    double u;
+    double p4;
+    double p3;
+    double p2;
+    double p1;
+    double q4;
+    double q3;
+    double q2;
+    double half_bend;
+    piece = tables__find_piece(tables, profile, y);
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    /* Horner's scheme as in height_slope, which is called most, and twice again on the quotient that it leaves */
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    q3 = p3 + u * q4;
+    q2 = p2 + u * q3;
+    half_bend = q2 + u * (q3 + u * (q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5))));
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
+    (*result_1) = p1 + u * q2;
+    (*result_2) = 2.0 * half_bend;
     return 0;
 }
