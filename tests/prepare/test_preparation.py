@@ -11,9 +11,7 @@ from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.interface.parameters import KERNEL_PARAMETERS
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.binding.fixed_tables import fixed_tables
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel.binding.fixed_tables import fixed_tables, hertz_table, influence_table
 from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.prepare import pieces as made
 from wrcontact.kernel.prepare import scan as raster
