@@ -15,7 +15,7 @@ from tests.helpers.source_study import STUDY
 from wrcontact import ContactSystem
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
-from wrcontact.study.figure import FAILS, HOLDS, PARTLY, rows_of
+from wrcontact.study.figure import FAILS, HOLDS, PARTLY
 from wrcontact.study.figures import chosen, compute, index, known, summary
 from wrcontact.study.pictures import DRAWN, source_figure
 from wrcontact.study.search import lever_share
@@ -44,10 +44,9 @@ def reference_jumps(yaw):
 
 def at(number, curve, shift):
     """A curve of a figure at a lateral shift [mm]."""
-    rows = rows_of(figure(number).columns, curve=curve)
     value = list(figure(number).columns)[2]
-    return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float)
-                                                            - shift))])
+    shifts, values = figure(number).curve(curve, "lateral shift [mm]", value)
+    return float(values[np.argmin(np.abs(shifts - shift))])
 
 
 # --- chapters 4 and 5 -----------------------------------------------------------------------------
@@ -371,7 +370,7 @@ def same_words(told, found):
 @pytest.mark.machine
 @pytest.mark.parametrize("number", NUMBERS)
 def test_documentation_has_today_s_numbers(number):
-    """The table is what ``python -m wrcontact.study.figures`` prints."""
+    """The table is what ``python -m benchmarks --write source_figures`` writes."""
     page = (ROOT / "docs" / "source_study.md").read_text(encoding="utf-8")
     row = re.search(rf"^\| {re.escape(number)} \| (.*) \| (.*) \| (.*) \| (.*) \|$", page, re.MULTILINE)
     found = figure(number)

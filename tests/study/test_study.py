@@ -17,8 +17,15 @@ from wrcontact.study import (
     constraints,
     exact_result,
 )
-from wrcontact.study.search import jump_to_flange, lever_share, longitudinal_limit, wang_shift
-from wrcontact.study.surfaces import Pose, Surfaces, profile_nodes
+from wrcontact.study.search import (
+    Pose,
+    Surfaces,
+    jump_to_flange,
+    lever_share,
+    longitudinal_limit,
+    profile_nodes,
+    wang_shift,
+)
 
 pytestmark = pytest.mark.check
 

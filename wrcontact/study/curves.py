@@ -4,15 +4,9 @@ import numpy as np
 
 from ..plots.style import CONTACT_COLOUR, MM, QUIET, WHEEL_COLOUR, ZONE_COLOUR
 from ..plots.sweep import WHEEL_ZONES
-from .figure import rows_of
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
 JUMP = 3.0  # [mm] a line is interrupted where its value jumps by more between two points
-
-
-def curves_of(figure):
-    """Names of the curves in the table's order."""
-    return list(dict.fromkeys(figure.columns["curve"]))
 
 
 def look_of(name):
@@ -31,9 +25,8 @@ def look_of(name):
 def over_shift(panel, figure, wanted, *, span=None, legend=True):
     """The curves whose names ``wanted`` accepts over the lateral shift."""
     value = list(figure.columns)[2]
-    for name in filter(wanted, curves_of(figure)):
-        rows = rows_of(figure.columns, curve=name)
-        shift, values = rows["lateral shift [mm]"].astype(float), rows[value].astype(float)
+    for name in filter(wanted, figure.curves):
+        shift, values = figure.curve(name, "lateral shift [mm]", value)
         jump = np.flatnonzero(np.abs(np.diff(values)) > JUMP) + 1
         panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name,
                    **look_of(name))
@@ -50,6 +43,16 @@ def over_shift(panel, figure, wanted, *, span=None, legend=True):
 AXES = {"roll [deg]": "roll, right wheel down + [deg]",
         "y_wheel [mm]": "contact on the wheel, field side + [mm]",
         "x_wheel [mm]": "contact ahead of the axle [mm]"}
+
+
+def draw_inset(panel, figure, bounds, wanted, span, title=""):
+    """A smaller panel inside another one, with a part of the curves over ``span`` [mm]; it is returned."""
+    inset = panel.inset_axes(bounds)
+    over_shift(inset, figure, wanted, span=span, legend=False)
+    inset.set(xlabel="", ylabel="")
+    inset.set_title(title, fontsize=8, fontweight="normal")
+    inset.tick_params(labelsize=7)
+    return inset
 
 
 def every(name):
@@ -112,12 +115,10 @@ def draw_place_and_errors(picture, figure):
     whole, errors = picture.subplots(1, 2, width_ratios=(1.3, 1))
     over_shift(whole, figure, lambda name: "dy 1 mm" not in name)
     draw_zones(whole)
-    known = rows_of(figure.columns, curve="rigid, exact")
-    known = dict(zip(known["lateral shift [mm]"].astype(float), known["y_wheel [mm]"].astype(float)))
-    for name in curves_of(figure):
+    known = dict(zip(*figure.curve("rigid, exact", "lateral shift [mm]", "y_wheel [mm]")))
+    for name in figure.curves:
         if name != "rigid, exact":
-            rows = rows_of(figure.columns, curve=name)
-            shift, place = rows["lateral shift [mm]"].astype(float), rows["y_wheel [mm]"].astype(float)
+            shift, place = figure.curve(name, "lateral shift [mm]", "y_wheel [mm]")
             error = np.abs(place - [known[at] for at in shift])
             errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name))
     errors.axvspan(6.3, 8, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
@@ -134,10 +135,7 @@ def draw_two_searches(picture, figure):
              ("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
     for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
         over_shift(panel, figure, wanted, span=(0, 8), legend=False)
-        inset = panel.inset_axes((0.14, 0.14, 0.5, 0.5))
-        over_shift(inset, figure, wanted, span=(4.4, 5.6), legend=False)
-        inset.set(xlabel="", ylabel="")
-        inset.tick_params(labelsize=7)
+        inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), wanted, (4.4, 5.6))
         panel.indicate_inset_zoom(inset, edgecolor=QUIET)
         panel.set_title(title)
     handles = {line.get_label(): line for panel in picture.axes for line in panel.lines}
@@ -157,19 +155,13 @@ def draw_by_yaw(picture, figure):
 
 def draw_roll_by_yaw(picture, figure):
     panel = draw_by_yaw(picture, figure)
-    inset = panel.inset_axes((0.14, 0.32, 0.38, 0.5))
-    over_shift(inset, figure, lambda name: "exact" in name, span=(0, 5.3), legend=False)
-    inset.set(xlabel="", ylabel="")
-    inset.set_title("tread and flange root", fontsize=8, fontweight="normal")
-    inset.tick_params(labelsize=7)
+    draw_inset(panel, figure, (0.14, 0.32, 0.38, 0.5), lambda name: "exact" in name, (0, 5.3),
+               "tread and flange root")
     panel.set_xlim(0, 8)
 
 
 def draw_shift_by_yaw(picture, figure):
     panel = draw_by_yaw(picture, figure)
     panel.set_xlim(0, 8)
-    inset = panel.inset_axes((0.27, 0.3, 0.36, 0.62))
-    over_shift(inset, figure, every, span=(0, 6.3), legend=False)
-    inset.set(xlabel="", ylabel="", ylim=(-0.5, 11))
-    inset.set_title("before flange contact", fontsize=8, fontweight="normal")
-    inset.tick_params(labelsize=7)
+    inset = draw_inset(panel, figure, (0.27, 0.3, 0.36, 0.62), every, (0, 6.3), "before flange contact")
+    inset.set_ylim(-0.5, 11)

@@ -6,7 +6,7 @@ Lines are exact, dots are the source's searches, broken lines are elastic contac
 
 import numpy as np
 
-from ..plots.patch import FINER
+from ..plots.patch import finer
 from ..plots.pose import HIGH
 from ..plots.style import (
     CONTACT_COLOUR,
@@ -22,7 +22,6 @@ from ..plots.style import (
 )
 from .curves import (
     COLOURS,
-    curves_of,
     draw_place,
     draw_place_and_errors,
     draw_roll,
@@ -30,7 +29,6 @@ from .curves import (
     draw_shift_by_yaw,
     draw_two_searches,
 )
-from .figure import rows_of
 
 THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
 UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
@@ -57,12 +55,10 @@ def draw_outlines(panel, figure):
     """Wheel, rail and contact point on the track, to one scale."""
     ends = {"wheel": HIGH / MM, "rail": -60.0}
     for name, colour in (("wheel", WHEEL_COLOUR), ("rail", RAIL_COLOUR)):
-        rows = rows_of(figure.columns, curve=name)
-        y, height = (rows[column].astype(float) for column in ("y_track [mm]", "height [mm]"))
+        y, height = figure.curve(name, "y_track [mm]", "height [mm]")
         panel.fill_between(y, height, ends[name], color=colour, alpha=0.18, linewidth=0)
         panel.plot(y, height, color=colour)
-    point = rows_of(figure.columns, curve="contact point")
-    y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
+    (y,), (height,) = figure.curve("contact point", "y_track [mm]", "height [mm]")
     panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white",
                markeredgewidth=0.6)
     panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left",
@@ -80,17 +76,14 @@ def draw_outlines(panel, figure):
 def draw_separation(picture, figure):
     whole, near, patch = picture.subplots(1, 3, width_ratios=(1.2, 1, 1.1))
     for name, colour, look in (("equidistant", COLOURS[0], "-"), ("vertical", COLOURS[1], (0, (3, 1.5)))):
-        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items()
-                if key != "curve"}
-        whole.plot(rows["y [mm]"], rows["separation [mm]"], color=colour, linestyle=look, label=name)
-        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look,
-                       label=name)
+        y, apart, half = figure.curve(name, "y [mm]", "separation [mm]", "half length [mm]")
+        whole.plot(y, apart, color=colour, linestyle=look, label=name)
+        closed_outline(patch, y, half, color=colour, linestyle=look, label=name)
     cosine = np.cos(np.radians(figure.numbers.get("contact angle [deg]", 0.0)))
-    theory = rows_of(figure.columns, curve="complete theory")
-    closed_outline(patch, theory["station [mm]"].astype(float) * cosine,
-                   theory["half length [mm]"].astype(float), fine=True, label="complete theory", **THEORY)
-    apart = rows_of(figure.columns, curve="vertical less equidistant")
-    near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
+    station, half = figure.curve("complete theory", "station [mm]", "half length [mm]")
+    closed_outline(patch, station * cosine, half, fine=True, label="complete theory", **THEORY)
+    y, apart = figure.curve("vertical less equidistant", "y [mm]", "separation [mm]")
+    near.plot(y, np.abs(apart), color=INK)
     near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
     near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET,
               fontsize=7.5, ha="center", va="bottom")
@@ -111,22 +104,12 @@ def closed_outline(panel, station, half_length, *, fine=False, label=None, **loo
     """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they
     stand for."""
     if fine:
-        station, half_length = rounded_edge(station, half_length)
+        station, half_length = finer(station, half_length)
     loaded = half_length > 0
     beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
     edge = np.where(beside, half_length, np.nan)
     panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]),
                label=label, **look)
-
-
-def rounded_edge(station, half_length):
-    """Many stations between the stored ones; the squares are interpolated, so that an ellipse stays round."""
-    from scipy.interpolate import Akima1DInterpolator
-
-    stored = np.arange(len(station))
-    place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
-    squares = Akima1DInterpolator(stored, half_length**2, method="makima")(place)
-    return np.interp(place, stored, station), np.sqrt(np.maximum(squares, 0.0))
 
 
 def to_scale(panel):
@@ -143,8 +126,7 @@ def to_scale(panel):
 
 
 def draw_longitudinal(picture, figure):
-    whole, near = picture.subplots(1, 2)
-    _curvature_panels(whole, near, figure)
+    _curvature_panels(*picture.subplots(1, 2), figure)
 
 
 def draw_longitudinal_with_picture(picture, figure):
@@ -180,19 +162,16 @@ def _curvature_panels(whole, near, figure):
 def draw_patches(picture, figure):
     """Edges of several patches over each other, and their pressures."""
     edges, pressures = picture.subplots(1, 2)
-    names = curves_of(figure)
-    own = [name for name in names if "complete theory" not in name]
-    for name in names:
-        rows = rows_of(figure.columns, curve=name)
-        station, half, pressure = (rows[column].astype(float) for column in
-                                   ("station [mm]", "half length [mm]", "pressure [MPa]"))
+    own = [name for name in figure.curves if "complete theory" not in name]
+    for name in figure.curves:
+        station, half, pressure = figure.curve(name, "station [mm]", "half length [mm]", "pressure [MPa]")
         theory = "complete theory" in name
         case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
         look = {**(THEORY if theory else {}), "color": INK if case is None else COLOURS[case]}
         if name == "basic":
             look["linestyle"] = (0, (3, 1.5))
         closed_outline(edges, station, half, fine=True, label=name, **look)
-        pressures.plot(*rounded_edge(station, pressure), **look)
+        pressures.plot(*finer(station, pressure), **look)
     for panel in (edges, pressures):
         panel.set_xlabel("s in the contact plane, field side + [mm]")
     edges.set_ylabel("rolling direction [mm]")
@@ -208,13 +187,11 @@ def draw_patches(picture, figure):
 def draw_torn(picture, figure):
     """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete
     theory's patch."""
-    names = [name for name in curves_of(figure) if name != "complete theory"]
-    theory = rows_of(figure.columns, curve="complete theory")
-    true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)
+    names = [name for name in figure.curves if name != "complete theory"]
+    true = figure.curve("complete theory", "station [mm]", "half length [mm]")
     panels = picture.subplots(1, 3, sharex=True, sharey=True)
     for panel, name, colour in zip(panels, names, COLOURS):
-        rows = rows_of(figure.columns, curve=name)
-        station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
+        station, half = figure.curve(name, "station [mm]", "half length [mm]")
         loaded = half > 0
         panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour,
                   alpha=0.55, linewidth=0, label=f"{int(loaded.sum())} loaded nodes")
@@ -231,7 +208,9 @@ def draw_torn(picture, figure):
 
 def draw_lateral(picture, figure):
     """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
-    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-45, 110), (-45, 110))):
+    titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
+              "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+    for panel, name in zip(picture.subplots(2, 1), titles):
         at = np.array(figure.columns[f"y_{name} [mm]"])
         noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
         panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
@@ -240,10 +219,8 @@ def draw_lateral(picture, figure):
                    label="three nodes 0.2 mm apart, exact profile")
         panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)),
                    linewidth=1.2, label="circle through 6 mm")
-        panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
-                  ylabel="curvature [1/m]")
-        titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
-                  "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+        panel.set(ylim=(-45, 110), xlim=(at.min(), at.max()), ylabel="curvature [1/m]",
+                  xlabel=f"on the {name}'s profile, field side + [mm]")
         panel.set_title(titles[name])
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
