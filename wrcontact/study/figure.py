@@ -128,8 +128,9 @@ def listed(values, digits):
 # ---------------------------------------------------------------------------------- patches as rows of tables
 
 
-# Patches "as the source has them" are those of :mod:`~wrcontact.study.sections`; where the source only varies what the kernel also knows (longitudinal
-# curvature, yaw) they are the kernel's. Beside them stands the complete theory.
+# Patches "as the source has them" are those of :mod:`~wrcontact.study.sections`; where the source only varies
+# what the kernel also knows (longitudinal curvature, yaw) they are the kernel's. Beside them stands the
+# complete theory.
 
 def study_patch(nodes, section, B, correction=None):
     """ANALYN of the source on ``nodes`` with the lateral curvature ``B`` (n,) [1/m]."""

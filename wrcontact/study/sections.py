@@ -4,9 +4,9 @@ yaw; and ANALYN as the source writes it.
 A right wheel and its rail are two curves that touch. From the contact point, nodes are laid along both, and
 what lies between two nodes of a pair is the separation::
 
-    same y             vertical distance                                  Section.vertical
-    same arc length    distance of the pair                               Section.equidistant (arcs, or chords)
-    same station       distance along the contact normal, as the kernel   Section.normal
+    same y             vertical distance                                Section.vertical
+    same arc length    distance of the pair                             Section.equidistant (arcs, or chords)
+    same station       distance along the contact normal, as the kernel Section.normal
 
 Plain numpy on the profiles' own formulas: nothing of the kernel but the rigid pose.
 
