@@ -7,7 +7,7 @@ import numpy as np
 
 from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
-from ..conditioning.jumps import merged_jumps
+from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
 from ..profiles.compiled import evaluate_table, places
 from .style import (
