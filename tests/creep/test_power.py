@@ -6,13 +6,12 @@ import pytest
 from numpy.polynomial import chebyshev, polynomial
 
 import wrcontact
+from tests.helpers.cases import STRIP_MODELS
 from tests.helpers.inside import work_of
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.profiles import Profile
 from wrcontact.profiles.zones import Polynomial
 
-#: Models that know the moment of spin; without it Polach's formula leaves out a part of the power.
-MODELS = ("strips", "fastsim", "fastrip")
 NORMAL = ("analyn", "analyn_strip")
 MOTION = {"speed": 20.0, "lateral_velocity": 0.03, "yaw_rate": 0.02}
 
@@ -23,7 +22,7 @@ def greatest_power(side, friction, given):
 
 
 @pytest.mark.parametrize("normal", NORMAL)
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", STRIP_MODELS)
 def test_power_is_that_of_force_and_moment(normal, model):
     """P = -(F . v + M . W) with the creep forces in the outputs, the velocity v of the centre and the
     rotation W of the wheelset with that about the axle.  A yaw rate turns a rolled wheelset about its axle as
