@@ -2,7 +2,7 @@
 #ifndef GENERATED_TANGENTS_H
 #define GENERATED_TANGENTS_H
 
-#include "kernel.h"
+#include "constants.h"
 
 /* tangent_analyn.py */
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t);
