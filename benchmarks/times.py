@@ -224,6 +224,6 @@ def derivatives(options):
         for row in inputs:
             stepper.inputs[:] = row
             stepper.step()
-            stepper._bound.tangent(along)
+            stepper._bound.derivative(along)
 
     return work

@@ -1,4 +1,4 @@
-"""Work of a step, counted by the kernel itself (the record State in wrcontact/kernel/layout/wheelset.py), and
+"""Work of a step, counted by the kernel itself (the record State in wrcontact/kernel/layout/arrays.py), and
 the trajectory that the speed is judged by: a wheelset that hunts from flange to flange, with a faster motion
 on top and a load that changes.
 

@@ -6,7 +6,7 @@
   benchmarks``), which finds this package before the installed one.  Git ignores it, and the loader refuses it
   when its sources have changed.
 * ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with
-  ziglang, whatever compilers are installed; wrcontact/kernel/binding/platforms.py lists them.
+  ziglang, whatever compilers are installed; wrcontact/kernel/binding/files.py lists them.
 * The FMU's sources, ``fmu_src`` at the top of the checkout, are part of the wheel as ``wrcontact/fmu_src``.
 * If compilation fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the
   package then runs its Python source, slowly, with a warning.  pip shows the build's warning only with

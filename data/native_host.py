@@ -5,7 +5,7 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 HOST = Path(__file__).with_name("native_host.c")
 #: Inputs of a row; height and roll of compliant contact stay at their start values.

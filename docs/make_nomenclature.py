@@ -48,7 +48,7 @@ SYMBOLS = {
 KERNEL = (
     (
         "r(y), z(y)",
-        "profile_table.height_slope",
+        "tables.height_slope",
         "m",
         "radius of the wheel and height of the rail along their profiles",
         "",

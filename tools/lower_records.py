@@ -24,7 +24,7 @@ from ctypes import sizeof
 
 from record_layout import Layout, Refused, constant, is_record, is_root, is_run
 
-#: Marks for the C compiler (layout/marks.py).
+#: Marks for the C compiler (layout/record.py).
 MARKS = {"inlined", "seldom"}
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")

@@ -1,8 +1,8 @@
 """Make wrcontact/kernel/data/rolling_kernels.json: ``python tools/make_rolling_kernels.py``.
 
-The functions P, R, P_s, R_s of eq. (K4) in wrcontact/kernel/binding/reach_table.py with their slopes over
+The functions P, R, P_s, R_s of eq. (K4) in wrcontact/kernel/binding/rolling_table.py with their slopes over
 ln eta, by Gauss-Legendre quadrature over graded pieces, and with them the factors f of eq. (K3) in
-kernel/tangential/stiffness.py, which make the kernel's strips of an ellipse as stiff as Kalker's.  Witness in
+kernel/creep/stiffness.py, which make the kernel's strips of an ellipse as stiff as Kalker's.  Witness in
 tests: scipy's adaptive quadrature.
 
     --check    compare with the stored file, write nothing
@@ -19,8 +19,9 @@ os.environ["WRCONTACT_KERNEL"] = "python"       # the factors do not depend on w
 
 from wrcontact.creep.elliptic_nodes import strip_coefficients  # noqa: E402
 from wrcontact.kernel import layout  # noqa: E402
-from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table  # noqa: E402
-from wrcontact.kernel.prepare import fixed  # noqa: E402
+from wrcontact.kernel.binding import kalker_table, rolling_table  # noqa: E402
+from wrcontact.kernel.binding import rolling_table as reach_table
+from wrcontact.kernel.prepare import tables as fixed  # noqa: E402
 
 GAUSS = np.polynomial.legendre.leggauss(24)
 DIGITS = 12

@@ -17,8 +17,8 @@ What Pyccel writes is tidied like this:
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
 * Functions are ``static``, in the order of the Python source, each under its docstring. Three translation
   units include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once,
-  ``tangent_unit.c`` the derivatives, which tools/tangent writes. What is marked ``@seldom`` is not inlined,
-  ``@inlined`` always (kernel/layout/marks.py). Locals that Pyccel adds and nobody reads are dropped.
+  ``derivative_unit.c`` the derivatives, which tools/differentiate writes. What is marked ``@seldom`` is not
+  inlined, ``@inlined`` always (kernel/layout/record.py). Locals that Pyccel adds and nobody reads go.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 The steps are the files of tools/transpile: ``modules`` reads the Python, ``translator`` runs Pyccel, ``tidy``

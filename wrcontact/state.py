@@ -39,9 +39,8 @@ def outline_offset(values, first):
     """Where the outline of the side whose outputs begin at ``first`` lies, see kernel/patch/outline.py."""
     if values.shape[-1] == layout.OUTPUT_COUNT:
         return first + layout.SIDE_STATION
-    return layout.OUTPUT_COUNT + (
-        layout.RUN_COUNT * station_count(values) if first == layout.OUT_RIGHT else 0
-    )
+    behind = layout.RUN_COUNT * station_count(values) if first == layout.OUT_RIGHT else 0
+    return layout.OUTPUT_COUNT + behind
 
 
 class _View:
@@ -107,58 +106,31 @@ def _words(row, behind="."):
     return f"{words[0].upper()}{words[1:]} [{row.unit}]{behind}"
 
 
-def _named(rows, record):
+def _named(rows, record, **parts):
     """A class decorator: the properties of ``rows``, which lie in the ``record``, but for those that the
     class has itself.
 
-    Rows with a dot in their name become a view: ``contact.y_wheel`` is a property of ``contact``.
+    ``parts`` are classes of views for what stands before a dot: ``contact.y_wheel`` is a property of
+    ``contact``.
     """
+    rows = [row for row in rows if not isinstance(row, (Blocks, Run))]
 
     def decorate(cls):
-        cls._members = tuple(dict.fromkeys(row.name.split(".")[0] for row in _single(rows))) + cls._members
-        for part, members in _parts(rows).items():
-            owner = (
-                cls
-                if not part
-                else type(_part_class(cls, part), (_View,), {"__slots__": (), "__doc__": table.PARTS[part],
-                                                             "_members": tuple(members)})
-            )
-            for name, row in members.items():
-                place = getattr(record, row.field).offset // 8
-                if name not in vars(owner):
-                    setattr(
-                        owner,
-                        name,
-                        _view(Vector, place, _words(row))
-                        if isinstance(row, VectorRow)
-                        else _at(place, _words(row)),
-                    )
+        cls._members = tuple(dict.fromkeys(row.name.split(".")[0] for row in rows)) + cls._members
+        for part, owner in parts.items():
+            setattr(cls, part, _view(owner, 0, owner.__doc__))
+        for row in rows:
+            part, _, name = row.name.rpartition(".")
+            owner, place = parts.get(part, cls), getattr(record, row.field).offset // 8
             if part:
-                globals()[owner.__name__] = owner  # where pickle looks for it
-                setattr(cls, part, _view(owner, 0, table.PARTS[part]))
+                owner._members += (name,)
+            if name not in vars(owner):
+                words = _words(row)
+                setattr(owner, name, _view(Vector, place, words) if isinstance(row, VectorRow)
+                        else _at(place, words))
         return cls
 
     return decorate
-
-
-def _part_class(cls, part):
-    """The name of the class of a part: "Contact", or "SideNormal" where two classes have a part normal."""
-    name = part.capitalize()
-    return cls.__name__ + name if part == "normal" else name
-
-
-def _single(rows):
-    """The rows of single numbers and vectors."""
-    return [row for row in rows if not isinstance(row, (Blocks, Run))]
-
-
-def _parts(rows):
-    """The same rows by what stands before and behind the dot of their names."""
-    parts = {}
-    for row in _single(rows):
-        part, _, name = row.name.rpartition(".")
-        parts.setdefault(part, {})[name] = row
-    return parts
 
 
 class Vector(_View):
@@ -179,7 +151,37 @@ for _place, (_axis, _way) in enumerate(AXES):
     setattr(Vector, _axis, _at(_place, f"Component {_way}."))
 
 
-@_named(table.PATCH, layout.PatchOutputs)
+class Creepage(_View):
+    """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""
+
+    __slots__ = ()
+
+
+class Tangential(_View):
+    """Creep force and moment of a patch on its wheel."""
+
+    __slots__ = ()
+
+
+class Contact(_View):
+    """The contact point in the frames of the wheel, the rail and the track."""
+
+    __slots__ = ()
+
+
+class SideNormal(_View):
+    """Forces and moments of the pressures alone, without creep forces."""
+
+    __slots__ = ()
+
+
+class WheelsetNormal(_View):
+    """Forces and moments of the pressures alone, without creep forces."""
+
+    __slots__ = ()
+
+
+@_named(table.PATCH, layout.PatchOutputs, creepage=Creepage, tangential=Tangential)
 class Patch(_View):
     """One contact patch."""
 
@@ -198,7 +200,7 @@ for _place, _row in enumerate(row for row in table.SIDE if isinstance(row, Run))
     setattr(Outline, _row.name, _run(_place, _words(_row, ", one value per station.")))
 
 
-@_named(table.SIDE, layout.SideOutputs)
+@_named(table.SIDE, layout.SideOutputs, contact=Contact, normal=SideNormal)
 class Side(_View):
     """One wheel on its rail."""
 
@@ -239,7 +241,7 @@ class Equilibrium(NamedTuple):
     status: int
 
 
-@_named(table.WHEELSET, layout.Outputs)
+@_named(table.WHEELSET, layout.Outputs, normal=WheelsetNormal)
 class WheelsetState(_View):
     """Result of an evaluation.
 
@@ -345,10 +347,8 @@ class WheelsetState(_View):
     def __repr__(self):
         if self.values.ndim > 1:
             return f"WheelsetState({len(self)} poses)"
-        return (
-            f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
-            f"vertical_shift={self.vertical_shift:.6g} m)"
-        )
+        return (f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
+                f"vertical_shift={self.vertical_shift:.6g} m)")
 
     def _repr_html_(self):
         from .results import pages

@@ -62,10 +62,8 @@ class ContactSystem:
         in one sentence with name, value, unit and permitted range or choices.
     """
 
-    def __init__(
-        self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None, friction=None,
-        **parameters
-    ):
+    def __init__(self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None,
+                 friction=None, **parameters):
         for name in parameters.keys() - PARAMETERS.keys():
             raise TypeError(f"ContactSystem has no parameter {name!r}")
         groups = {"track": track, "wheelset": wheelset, "material": material, "friction": friction}

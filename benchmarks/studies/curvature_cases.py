@@ -19,7 +19,7 @@ import wrcontact
 from data import halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.contact import contact_plane, traces
+from wrcontact.kernel.contact import frame, traces
 from wrcontact.profiles.placement import readable_wheel
 
 MM = 1e-3
@@ -78,7 +78,7 @@ def gap_curve(system, shift, yaw, force, name):
         return None
     s = np.linspace(near[0] - 1e-4, near[-1] + 1e-4, STATIONS)
     g, A = normal_gaps(tables, work, state, s)
-    there = g < contact_plane.NO_GAP
+    there = g < frame.NO_GAP
     return Case(name, s[there], g[there], A[there], force, kernel=kernel)
 
 
@@ -86,14 +86,14 @@ def normal_gaps(tables, work, state, s):
     """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point
     outwards."""
     tables, work, state = layout.Tables.at(tables), layout.Work.at(work), layout.State.at(state)
-    g, A = np.full(len(s), contact_plane.NO_GAP), np.ones(len(s))
+    g, A = np.full(len(s), frame.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
         traces.start_traces(work.contact.frame, 0.0, work.contact.frame.rail.y, work.contact.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = contact_plane.normal_gap(tables, work.contact.frame, state, float(s[j]),
+            gap, _, _, curvature = frame.normal_gap(tables, work.contact.frame, state, float(s[j]),
                                                             1e-10)
-            if gap >= contact_plane.NO_GAP:
+            if gap >= frame.NO_GAP:
                 break
             g[j], A[j] = gap, curvature / 2
     return g, A

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
-from wrcontact.kernel.binding.hertz_table import coefficients
+from wrcontact.kernel.binding.fixed_tables import coefficients
 
 from .curvature_cases import halfspace_reference
 

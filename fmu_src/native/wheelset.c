@@ -41,8 +41,8 @@ wheelset *wheelset_new(wheelset_tell *tell, void *owner)
     self->tell = tell;
     self->owner = owner;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
-    self->tangent_room = calloc((size_t)wrcontact_tangent_room(), sizeof(double));
-    if (!self->workspace || !self->tangent_room)
+    self->derivative_room = calloc((size_t)wrcontact_derivative_room(), sizeof(double));
+    if (!self->workspace || !self->derivative_room)
     {
         wheelset_free(self);
         return NULL;
@@ -61,7 +61,7 @@ void wheelset_free(wheelset *self)
     }
     wheelset_free_tables(self);
     free(self->workspace);
-    free(self->tangent_room);
+    free(self->derivative_room);
     free(self);
 }
 

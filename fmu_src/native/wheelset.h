@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 #include "kernel/native/wrcontact_prepare.h"
-#include "kernel/native/wrcontact_tangent.h"
+#include "kernel/native/wrcontact_derivative.h"
 #include "model.h"
 
 typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
@@ -65,7 +65,7 @@ typedef struct {
     array_double_1d left_tables;            /* the same array as on the right where both sides are equal */
     array_double_1d right_tables;
     double *workspace;
-    double *tangent_room;                   /* memory of a directional derivative */
+    double *derivative_room;                   /* memory of a directional derivative */
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
     wheelset_state *states;                 /* those that the host has not freed */

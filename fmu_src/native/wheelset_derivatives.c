@@ -40,7 +40,7 @@ static void differentiate_equilibrium(wheelset *self, const double seed[MODEL_IN
     const double mode = self->right_tables.data[layout__SET_MODE];
     if (wheelset_is_compliant(self))
         wheelset_set_mode(self, layout__MODE_ELASTIC);
-    wrcontact_tangent(&handle, seed, rates, self->tangent_room);
+    wrcontact_derivative(&handle, seed, rates, self->derivative_room);
     wheelset_set_mode(self, mode);
     rates[ROW] = rates[layout__OUT_VERTICAL_SHIFT];
     rates[ROW + 1] = rates[layout__OUT_ROLL];
@@ -59,6 +59,6 @@ int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], bool
     memset(rates, 0, RATES * sizeof(double));
     if (equilibrium)
         differentiate_equilibrium(self, seed, rates);
-    wrcontact_tangent(&handle, seed, rates, self->tangent_room);
+    wrcontact_derivative(&handle, seed, rates, self->derivative_room);
     return 0;
 }

@@ -42,12 +42,12 @@ void wheelset_set_mode(wheelset *self, double mode)
  * `outputs`. */
 static int balance(wheelset *self, const double **outputs)
 {
-    double *state = self->tangent_room + MODEL_WORK, *row = state + MODEL_MEMORY;
+    double *state = self->derivative_room + MODEL_WORK, *row = state + MODEL_MEMORY;
     const double mode = self->right_tables.data[layout__SET_MODE];
     const wrcontact_handle handle = {
-        self->left_tables, self->right_tables, span_of(state, MODEL_MEMORY), span_of(self->tangent_room, MODEL_WORK),
+        self->left_tables, self->right_tables, span_of(state, MODEL_MEMORY), span_of(self->derivative_room, MODEL_WORK),
         span_of(self->core.values, MODEL_INPUTS), span_of(row, ROW)};
-    memset(self->tangent_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
+    memset(self->derivative_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
     wheelset_set_mode(self, layout__MODE_ELASTIC);
     const int status = wrcontact_step(&handle);
     wheelset_set_mode(self, mode);

@@ -16,8 +16,8 @@ from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library, find_compiler
+from wrcontact.kernel.binding.files import LIBRARY_NAME
 from wrcontact.kernel.binding.library import fingerprint
-from wrcontact.kernel.binding.platforms import LIBRARY_NAME
 from wrcontact.kernel.layout import (
     INPUT_COUNT,
     OUTPUT_COUNT,

@@ -10,8 +10,8 @@ from scipy.integrate import quad
 import wrcontact
 from tests.helpers.separations import EVERY_PLACE, PLACES, SHARE_OF_PLACES, STATIONS, Contact
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import moves, traces
-from wrcontact.kernel.contact.contact_plane import NO_GAP
+from wrcontact.kernel.contact import curves, traces
+from wrcontact.kernel.contact.frame import NO_GAP
 from wrcontact.kernel.layout import RAIL, WHEEL
 from wrcontact.methods import CHOICES, NUMBERS
 from wrcontact.profiles.catalogue import RAILS
@@ -73,7 +73,7 @@ def test_arc_length_is_that_of_the_exact_profile(place):
     wheel = contact.system.wheel
     for length in (0.4e-3, -0.8e-3):
         traces.start_traces(work.contact.frame, 0.0, contact.u_rail, contact.u_wheel)
-        assert moves.move_arc(tables, work.contact.frame, work.contact.origin, WHEEL, length) == 1
+        assert curves.move_arc(tables, work.contact.frame, work.contact.origin, WHEEL, length) == 1
         found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel,
                      work.contact.frame.traces[WHEEL].abscissa, epsabs=1e-15)[0]
         assert found == pytest.approx(length, abs=1e-12)
@@ -89,7 +89,7 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
         tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work.copy())
         work.contact.frame.traces[RAIL].abscissa = u
         for _ in range(count):
-            assert moves.move_chord(tables, work.contact.frame, work.contact.origin, RAIL, spacing) == 1
+            assert curves.move_chord(tables, work.contact.frame, work.contact.origin, RAIL, spacing) == 1
         arc = contact.rail.arc(u, work.contact.frame.traces[RAIL].abscissa)
         assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)

@@ -9,7 +9,7 @@ from tests.helpers.paths import ROOT, TESTS
 from wrcontact.cli import main
 from wrcontact.fmu import native
 from wrcontact.interface.variables import OUTPUT, VARIABLES
-from wrcontact.kernel.binding.platforms import PLATFORMS
+from wrcontact.kernel.binding.files import PLATFORMS
 from wrcontact.profiles.catalogue import BUILDERS
 
 DOCS = ROOT / "docs"

@@ -17,7 +17,7 @@ from tests.helpers.schemas import problems_of
 from wrcontact.fmu import SOURCES, build, native
 from wrcontact.fmu.documentation import about_native, documentation_page
 from wrcontact.interface.variables import folded
-from wrcontact.kernel.binding.platforms import PLATFORMS
+from wrcontact.kernel.binding.files import PLATFORMS
 
 pytestmark = pytest.mark.check
 

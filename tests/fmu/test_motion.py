@@ -56,7 +56,7 @@ def test_derivatives_of_creepages_and_of_the_equilibrium(hosts):
     made._stepper.step()
     for along, name in zip(matrices[0], inputs):
         seed = np.eye(len(made._stepper.inputs))[REFERENCE[name]]
-        rates = made._stepper._bound.tangent(seed)[1]
+        rates = made._stepper._bound.derivative(seed)[1]
         places = [REFERENCE[output] - REFERENCE["roll"] for output in outputs[:3]]
         np.testing.assert_allclose(along[:3], rates[places], rtol=1e-6, atol=1e-12)
         keys = {key: rows[0][key] for key in ("lateral_shift", "yaw", "normal_force", "load_transfer")}

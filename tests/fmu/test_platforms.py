@@ -35,8 +35,8 @@ from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.compiler import CompilerProblem, chosen_platform, compiler_for, requirements
 from wrcontact.kernel.binding.files import HERE as KERNEL
+from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 from wrcontact.kernel.binding.library import fingerprint
-from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 ARM_ROOT = Path("/usr/aarch64-linux-gnu")
 WINE = shutil.which("wine") or shutil.which("wine64")

@@ -15,7 +15,7 @@ from tests.helpers.paths import ROOT
 from wrcontact.fmu import native
 from wrcontact.interface import variables
 from wrcontact.kernel.binding import compiler
-from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 
 def test_archive_holds_what_is_needed_and_nothing_else(entries):

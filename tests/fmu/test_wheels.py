@@ -16,7 +16,7 @@ from tests.helpers.paths import ROOT
 from tests.helpers.platforms import KERNEL_EXPORTS, check_library, needs, needs_build, needs_zig
 from wrcontact import ContactSystem
 from wrcontact.kernel.binding.compiler import find_compiler
-from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
+from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 # --- the same bytes again -------------------------------------------------------------------------
 
@@ -159,4 +159,4 @@ def test_source_archive_has_no_library(sources, tmp_path):
     with tarfile.open(next(tmp_path.iterdir())) as archive:
         names = archive.getnames()
     assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []
-    assert [name for name in names if name.endswith("wrcontact/kernel/binding/platforms.py")]
+    assert [name for name in names if name.endswith("wrcontact/kernel/binding/files.py")]

@@ -11,7 +11,7 @@ from tests.helpers.inside import work_of
 from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
-from wrcontact.kernel.tangential.tangential_contact import solve_tangential
+from wrcontact.kernel.creep.creep_force import solve_creep_force
 
 MODELS = ("polach", "fastsim", "fastrip", "strips")
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.05}
@@ -267,7 +267,7 @@ def test_slope_reduction(model):
         setattr(patch, name, 0.5 * getattr(patch, name))
     for strip in patch.strips:
         strip.slip *= 0.5
-    solve_tangential(layout.Tables.at(full.tables), work.rolling, patch)
+    solve_creep_force(layout.Tables.at(full.tables), work.rolling, patch)
     found = layout.Outputs.at(reduced.outputs).left[1].patch[0]
     assert found.creep_force_x == pytest.approx(patch.creep_x, rel=1e-12)
     assert found.creep_force_y == pytest.approx(patch.creep_y, rel=1e-12)

@@ -4,10 +4,9 @@ import numpy as np
 
 from data.hertz import MODULUS, hertz
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
-from wrcontact.kernel.contact import regions
-from wrcontact.kernel.normal.node_coefficients import weigh_nodes
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence_table
+from wrcontact.kernel.contact import frame
+from wrcontact.kernel.normal.coefficients import weigh_nodes
 
 
 def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, sweeps=2):
@@ -25,7 +24,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
     region = work.contact.regions[0]
-    regions.incline_region(tables, work.contact.frame, region, 0.0)     # all of the load in one plane
+    frame.incline_region(tables, work.contact.frame, region, 0.0)     # all of the load in one plane
     region.spacing = half_width / half_nodes
     last = half_nodes + 2
     region.low, region.high = -1.0, 1.0

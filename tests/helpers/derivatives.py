@@ -46,7 +46,7 @@ def derivative(stepper, row, seed):
     """Status and rates of the outputs at ``row`` along ``seed``: a number of one input, or a vector."""
     along = np.eye(INPUT_COUNT)[seed] if isinstance(seed, int) else np.asarray(seed, float)
     stepped(stepper, row)
-    return solver_of(stepper).tangent(along)
+    return solver_of(stepper).derivative(along)
 
 
 def differences(stepper, row, number):

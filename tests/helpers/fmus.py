@@ -20,7 +20,7 @@ from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.variables import BOOLEAN, PLACE, REFERENCE, STRING, VARIABLES
 from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
-from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.simulation.session import Session
 from wrcontact.state import WheelsetState

@@ -20,7 +20,7 @@ def solver_of(stepper):
 
 def rates_along(stepper, seed):
     """Derivatives of all outputs at the last step along ``seed`` (inputs,)."""
-    return solver_of(stepper).tangent(seed)[1]
+    return solver_of(stepper).derivative(seed)[1]
 
 
 def tables_of(system):

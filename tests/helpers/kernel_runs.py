@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import wrcontact
-from wrcontact.kernel.binding.platforms import LIBRARY_NAME
+from wrcontact.kernel.binding.files import LIBRARY_NAME
 
 PACKAGE = Path(wrcontact.__file__).parent
 KERNEL = PACKAGE / "kernel"

@@ -1,4 +1,4 @@
-"""Tables of the rail's arc length by numpy, as a witness of kernel/prepare/arcs.py.
+"""Tables of the rail's arc length by numpy, as a witness of kernel/prepare/curvatures.py.
 
 Cubics of Hermite over even cells (the kernel's record CubicTable): value and slope at the ends are exact.
 """

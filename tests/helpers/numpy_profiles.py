@@ -1,5 +1,5 @@
 """Profiles placed on the track and compiled to the kernel's table by numpy, from the exact zones: the witness
-of kernel/prepare/placement.py and kernel/prepare/pieces.py."""
+of kernel/prepare/zones.py and kernel/prepare/pieces.py."""
 
 import math
 

@@ -13,8 +13,7 @@ from tests.helpers.numpy_profiles import compile_profile
 from tests.helpers.numpy_scan import scan_table
 from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence_table
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.kernel.prepare.tables import START_STEP
 

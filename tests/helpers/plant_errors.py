@@ -43,7 +43,7 @@ from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
 #: Rooms whose tests run before the others: those of the kernel, the short ones first.
-KERNEL_ROOMS = ("interface", "normal", "prepare", "system", "tangent", "contact", "wheelset", "search",
+KERNEL_ROOMS = ("interface", "normal", "prepare", "system", "derivative", "contact", "wheelset", "search",
                 "patch", "methods", "profiles", "study", "data", "halfspace")
 #: Tests that report that something has changed and not what is right; this script's own ones
 #: would see every error.

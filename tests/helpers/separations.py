@@ -8,7 +8,8 @@ from scipy.optimize import brentq
 import wrcontact
 from tests.helpers.inside import workspace_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import curves, planes, separation, traces
+from wrcontact.kernel.contact import curves, separation, traces
+from wrcontact.kernel.contact import frame as planes
 from wrcontact.methods import NUMBERS
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 

@@ -11,10 +11,9 @@ from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.paths import DATA
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
+from wrcontact.kernel.binding.fixed_tables import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
-from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
-from wrcontact.kernel.normal.node_coefficients import FLOOR
+from wrcontact.kernel.normal.coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from wrcontact.kernel.normal.node_patches import fill_from_nodes
 from wrcontact.kernel.patch.outline import write_outline
 from wrcontact.kernel.wheelset.report import report_load, report_outline

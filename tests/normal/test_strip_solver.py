@@ -11,14 +11,18 @@ from data.hertz import hertz
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.strips import errors
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence, influence_table, mean_influence
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence, influence_table, mean_influence
 from wrcontact.kernel.layout import INFLUENCE_MAP, InfluenceTable
-from wrcontact.kernel.normal import strips
-from wrcontact.kernel.normal.elimination import eliminate
-from wrcontact.kernel.normal.hertz import STEEPEST, hertz_coefficients, skewed_coefficients
-from wrcontact.kernel.normal.strip_influence import apartness, influence_at, middle_influence, nearness
+from wrcontact.kernel.normal import strip_contact
+from wrcontact.kernel.normal.coefficients import STEEPEST, hertz_coefficients, skewed_coefficients
 from wrcontact.kernel.normal.strip_patches import fill_from_strips
+from wrcontact.kernel.normal.strip_pressures import (
+    apartness,
+    eliminate,
+    influence_at,
+    middle_influence,
+    nearness,
+)
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
@@ -114,10 +118,10 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
             strip.cos, strip.sin, strip.x, strip.A, strip.skew = 1.0, 0.0, 0.0, A, 0.0
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(strips, "trace_strips", trace)
-        penetration, found = strips.first_layout(tables, contact, state, 1, force, 0)
+        patch.setattr(strip_contact, "trace_strips", trace)
+        penetration, found = strip_contact.first_layout(tables, contact, state, 1, force, 0)
         assert found == 1
-        penetration, found = strips.second_layout(tables, contact, state, 1, force, 0)
+        penetration, found = strip_contact.second_layout(tables, contact, state, 1, force, 0)
         assert found == 1
     fill_from_strips(tables, contact, side, 1)
     exact, a, b, pressure = hertz(A, B, force)

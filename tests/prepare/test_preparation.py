@@ -150,8 +150,8 @@ def test_setup_that_is_no_array_is_refused():
 def test_constants_are_those_of_the_witness():
     from wrcontact.kernel.prepare import curvatures as prepare_curvatures
     from wrcontact.kernel.prepare import pieces as prepare_pieces
-    from wrcontact.kernel.prepare import placement as prepare_placement
     from wrcontact.kernel.prepare import scan as prepare_scan
+    from wrcontact.kernel.prepare import zones as prepare_placement
 
     pairs = [(prepare_pieces, numpy_profiles,
               ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE",

@@ -8,7 +8,7 @@ from tests.helpers.numpy_profiles import compile_profile
 from wrcontact.kernel.layout import PIECE_SIZE, offset
 from wrcontact.kernel.layout import Profile as Table
 from wrcontact.kernel.prepare.pieces import REPAIR_WIDTH
-from wrcontact.kernel.surface import profile_table
+from wrcontact.kernel.surface import tables
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
 from wrcontact.profiles.catalogue import standard_name
 from wrcontact.profiles.compiled import evaluate_table
@@ -144,15 +144,15 @@ def test_the_kernel_reads_its_table_as_numpy_does():
     table = compile_profile(readable_wheel(standard_profile("S1002")))
     profile = Table.at(table)
     for y in np.random.default_rng(2).uniform(-0.069, 0.06, 500):
-        np.testing.assert_array_equal(profile_table.height_slope_bend(profile, y), evaluate_table(table, y))
-        assert profile_table.height_slope(profile, y) == profile_table.height_slope_bend(profile, y)[:2]
+        np.testing.assert_array_equal(tables.height_slope_bend(profile, y), evaluate_table(table, y))
+        assert tables.height_slope(profile, y) == tables.height_slope_bend(profile, y)[:2]
 
 
 @pytest.mark.parametrize("y", [np.nan, np.inf, -np.inf, 1e300, -1e300])
 def test_an_abscissa_out_of_this_world_stays_inside_the_table(y):
     table = compile_profile(readable_wheel(standard_profile("S1002")))
     profile = Table.at(table)
-    piece = offset(profile_table.find_piece(profile, y), table)
+    piece = offset(tables.find_piece(profile, y), table)
     assert offset(profile.pieces, table) <= piece < len(table) - PIECE_SIZE
 
 

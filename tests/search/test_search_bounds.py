@@ -6,7 +6,8 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.numpy_tables import build_tables
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, raster, roll
+from wrcontact.kernel.search import bounds, roll
+from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.methods import Analyn
 from wrcontact.profiles import standard_profile

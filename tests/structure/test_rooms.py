@@ -145,7 +145,7 @@ def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
             if isinstance(node, ast.FunctionDef) and name.startswith("kernel.")
             and any(ast.unparse(argument.annotation) == "Work" for argument in node.args.args
                     if argument.annotation)]
-    assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.tangent"}, wide
+    assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.derivative"}, wide
 
 
 # --- sizes --------------------------------------------------------------------------------------------------

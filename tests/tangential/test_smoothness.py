@@ -31,7 +31,7 @@ class Line:
         rolling.creepage_x, rolling.creepage_y, rolling.spin = (
             -(self.start + s * self.direction) * self.scale)
         forces.default_kernel().cut_patch(self.model.workspace)
-        forces.default_kernel().solve_tangential(self.tables, self.model.workspace)
+        forces.default_kernel().solve_creep_force(self.tables, self.model.workspace)
         return vector(rolling)[:2] / self.bound
 
     def steps(self, stations):

@@ -40,7 +40,7 @@ def test_a_patch_that_is_not_there_has_no_force(name):
     table = forces.model_tables(model.number, 210e9, 0.28)
     model.rolling.creepage_x, model.rolling.friction = 1e-3, 0.3
     forces.default_kernel().cut_patch(model.workspace)
-    forces.default_kernel().solve_tangential(table, model.workspace)
+    forces.default_kernel().solve_creep_force(table, model.workspace)
     assert everything(model.rolling) == [0.0] * 4
     assert all(np.isfinite([strip.y, strip.half_length, strip.line_load]).all()
                for strip in model.rolling.strips)
@@ -149,7 +149,7 @@ def test_the_strips_own_creepage_counts():
     model.solve(patch, 0.0, 0.0, 0.0, 0.3)
     for strip in model.rolling.strips:
         strip.slip = np.sign(strip.y) * 50.0 * scale[0]
-    forces.default_kernel().solve_tangential(forces.model_tables(model.number, 210e9, 0.28), model.workspace)
+    forces.default_kernel().solve_creep_force(forces.model_tables(model.number, 210e9, 0.28), model.workspace)
     found = vector(model.rolling)
     # the lever of half an ellipsoid's load is 3 b / 8
     assert found[2] == pytest.approx(bound * 3.0 / 8.0 * patch.station[-1], rel=0.01)

@@ -9,10 +9,11 @@ from scipy import integrate
 from data.creep_cases import CREEP
 from wrcontact.creep import elliptic_nodes
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding import kalker_table, reach_table, rolling_table
+from wrcontact.kernel.binding import kalker_table, rolling_table
+from wrcontact.kernel.binding import rolling_table as reach_table
 from wrcontact.kernel.binding.fixed_tables import fixed_tables
-from wrcontact.kernel.prepare import fixed
-from wrcontact.kernel.tangential import shapes, stiffness
+from wrcontact.kernel.creep import stiffness, tractions
+from wrcontact.kernel.prepare import tables as fixed
 
 pytestmark = pytest.mark.machine
 
@@ -37,7 +38,7 @@ def test_kalkers_coefficients_are_those_of_his_table(nu):
             ratio = ((k + 1) / 10.0) ** (-1.0 if long else 1.0)
             np.testing.assert_allclose(kalker_table.kalker_coefficients(ratio, nu)[:, 0], row[:, column],
                                        rtol=1e-12)
-            np.testing.assert_allclose(shapes.kalker_coefficients(tables.rolling, ratio), row[:, column],
+            np.testing.assert_allclose(tractions.kalker_coefficients(tables.rolling, ratio), row[:, column],
                                        rtol=3e-3)
 
 
@@ -98,7 +99,7 @@ def test_factors_are_those_of_the_trial_program():
     ratios, wanted = np.array(stored["a_over_b"]), np.array(stored["factor_K1_K2_K3"])
     for ratio in (0.2, 0.5, 1.0, 2.0):
         near = [np.interp(np.log(ratio), np.log(ratios), column) for column in wanted.T]
-        found = [shapes.shape_value(table, 3 + k, shapes.shape_place(ratio)) for k in range(3)]
+        found = [tractions.shape_value(table, 3 + k, tractions.shape_place(ratio)) for k in range(3)]
         # between nodes it takes the coefficients along straight lines, up to 2 % too high
         np.testing.assert_allclose(found, near, rtol=0.02)
 

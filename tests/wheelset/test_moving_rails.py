@@ -239,7 +239,7 @@ def test_in_the_mirror_left_and_right_change_places(name):
                                             left_rail_lateral=-1e-3, right_rail_vertical=2e-3)])
 def test_derivatives_are_those_of_differences(name, moved):
     """Of all outputs with respect to all inputs of the rails, at rails that are moved and at rails that begin
-    to move; tests/tangent/test_derivatives.py has the method."""
+    to move; tests/derivative/test_derivatives.py has the method."""
     stepper = wrcontact.ContactSystem(**METHODS[name]).stepper()
     pose = (1.2e-3, 0.011)
     given = height_and_roll(*pose, **moved) if name == "compliant" else {}

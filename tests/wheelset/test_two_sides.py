@@ -185,7 +185,7 @@ def test_forces_balance_about_the_centre():
 
 @pytest.mark.parametrize("methods", ["rigid hertz", "elastic", "compliant"])
 def test_derivatives_are_those_of_differences(methods):
-    """At one pose, for all outputs and inputs: tests/tangent/test_derivatives.py has the method."""
+    """At one pose, for all outputs and inputs: tests/derivative/test_derivatives.py has the method."""
     chosen = METHODS[methods]
     stepper = wrcontact.ContactSystem(**SIDES["all"], **chosen).stepper()
     compliant = chosen.get("contact_mode") == "compliant"

@@ -12,7 +12,7 @@ import json
 import os
 from pathlib import Path
 
-from tangent.modules import Kernel
+from differentiate.modules import Kernel
 
 from .translator import PYCCEL_VERSION, START, run_pyccel
 

@@ -12,7 +12,7 @@ import types
 from pathlib import Path
 
 import lower_records
-from tangent import RULE_MODULES, tangent_modules
+from differentiate import RULE_MODULES, derivative_modules
 
 KERNEL = Path(__file__).resolve().parents[2] / "wrcontact" / "kernel"
 FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
@@ -35,17 +35,17 @@ def source_modules(kernel=KERNEL):
 
 
 def read_modules(kernel):
-    """What Pyccel translates: the modules in the folder ``kernel``, and their tangents."""
+    """What Pyccel translates: the modules in the folder ``kernel``, and their derivatives."""
     sources = source_modules(kernel)
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in tangent_modules(sources).items():
+        for name, text in derivative_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
-        tangents = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
+        derivatives = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
     rooms = {module.name: module.room for module in sources}
-    for module in tangents:
-        room = rooms.get(module.name.removeprefix("tangent_"), "tangent")
-        module.room = "tangent" if room == "tangent" else f"tangent_{room}"
-    modules = [*(module for module in sources if module.name not in RULE_MODULES), *tangents]
+    for module in derivatives:
+        room = rooms.get(module.name.removeprefix("derivative_"), "derivative")
+        module.room = "derivative" if room == "derivative" else f"derivative_{room}"
+    modules = [*(module for module in sources if module.name not in RULE_MODULES), *derivatives]
     for module in modules:
         module.refuse_silent_traps()
     return modules
@@ -57,7 +57,7 @@ class Module:
     def __init__(self, path, text=None):
         self.path = path
         self.name = flat_name(path)
-        self.place = path.name if self.name.startswith("tangent_") else f"{path.parent.name}/{path.name}"
+        self.place = path.name if self.name.startswith("derivative_") else f"{path.parent.name}/{path.name}"
         self.text = flat_imports(path) if text is None else text
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
@@ -70,7 +70,7 @@ class Module:
         self.offsets = {node.target.id: ast.literal_eval(node.value) for node in self.tree.body
                         if isinstance(node, ast.AnnAssign)} if self.name == "layout" else {}
         self.room = path.parent.name
-        self.tangent = self.name.startswith("tangent_")
+        self.derivative = self.name.startswith("derivative_")
 
     def refuse(self, node, why):
         raise Refused(f"{self.path.name}, line {node.lineno}: {why}")

@@ -6,7 +6,7 @@ import re
 from .modules import Refused
 
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
-#: How a function is declared that has a mark (kernel/layout/marks.py), or none.
+#: How a function is declared that has a mark (kernel/layout/record.py), or none.
 STORAGE = {None: "static inline", "seldom": "static OUT_OF_LINE", "inlined": "static ALWAYS_INLINE"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "

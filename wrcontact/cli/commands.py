@@ -10,7 +10,7 @@ import typer
 
 from .. import ContactSystem, __version__
 from ..interface.friction import FRICTION
-from ..kernel.binding.platforms import PLATFORMS
+from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
 from ..profiles.remarks import remarks_in_lines
 from ..progress import working

@@ -20,7 +20,7 @@ NEAR = 0.1e-3
 #: [m] Twice the length of a patch in the rolling direction under such loads, which is 10 to 13 mm.
 WIDE = 25e-3
 #: [rad] Patches whose normals differ by more have planes of their own in wrcontact
-#: (kernel/contact/planes.py).
+#: (kernel/contact/frame.py).
 TURN = math.radians(15.0)
 #: [m] Conformal shifts that are no farther apart than this belong to one zone.
 ONE = 0.21e-3

@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from ..kernel import layout
-from ..kernel.binding.reach_table import stored
-from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, uncorrected
-from ..kernel.prepare import fixed
-from ..kernel.tangential import sections, stiffness
+from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, stored, uncorrected
+from ..kernel.creep import cut, stiffness
+from ..kernel.prepare import tables as fixed
 from .forces import roll
 from .patch import elliptic_patch
 
@@ -72,7 +71,7 @@ def strip_coefficients(tables, work, ratio):
     half_width = ratio**-0.5
     totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
     totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
-    sections.cut_patch(patch, work.contact.strips)
+    cut.cut_patch(patch, work.contact.strips)
     patch.half_length, patch.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
     stiffness.find_stiffnesses(tables, work.rolling, patch)
     blocks = work.rolling.blocks

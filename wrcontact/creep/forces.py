@@ -9,7 +9,7 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
-from ..kernel.prepare import fixed
+from ..kernel.prepare import tables as fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
 from .checks import check_number
 from .patch import CreepPatch
@@ -86,7 +86,7 @@ def roll(patch, tables, workspace):
     write_patch(patch, work.patch, work.contact.strips)
     kernel = default_kernel()
     kernel.cut_patch(workspace)
-    kernel.solve_tangential(tables, workspace)
+    kernel.solve_creep_force(tables, workspace)
 
 
 def write_patch(patch, written, strips):

@@ -11,7 +11,7 @@ import pythonfmu
 
 from .. import __version__
 from ..interface.variables import VARIABLES
-from ..kernel.binding.platforms import PLATFORMS
+from ..kernel.binding.files import PLATFORMS
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
 from .archive import SOURCES, archive, chosen_profiles, fingerprint, licence, problems_of

@@ -1,6 +1,6 @@
 """What the command ``wrcontact build`` packs."""
 
-from ..kernel.binding.platforms import PLATFORMS
+from ..kernel.binding.files import PLATFORMS
 
 
 def built(native, platforms, **chosen):

@@ -33,53 +33,47 @@ LOG_CATEGORIES = {
 def model_description(guid, tool, version, starts, units=()):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C
     files to compile of a native FMU, which has its sources with it."""
-    root = Element(
-        "fmiModelDescription",
-        fmiVersion="2.0",
-        modelName=MODEL,
-        guid=guid,
-        description=DESCRIPTION,
-        version=version,
-        generationTool=tool,
-        variableNamingConvention="structured",
-    )
+    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid,
+                   description=DESCRIPTION, version=version, generationTool=tool,
+                   variableNamingConvention="structured")
     abilities = SubElement(root, "CoSimulation", NATIVE_CAPABILITIES if units else CAPABILITIES)
     if units:
         files = SubElement(abilities, "SourceFiles")
         for name in units:
             SubElement(files, "File", name=name)
-    unit_definitions(SubElement(root, "UnitDefinitions"))
-    categories = SubElement(root, "LogCategories")
-    for name, meaning in LOG_CATEGORIES.items():
-        SubElement(categories, "Category", name=name, description=meaning)
-    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
+    describe_common(root)
     _variables(SubElement(root, "ModelVariables"), starts)
     _structure(SubElement(root, "ModelStructure"))
+    return xml_file(root)
+
+
+def xml_file(root):
+    """The bytes of an XML file."""
     indent(root)
     return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
 
 
-def unit_definitions(parent):
-    """Units by their SI exponents, each with the unit to show."""
+def describe_common(root):
+    """What stands between capabilities and variables in each version of FMI: units by their SI exponents,
+    each with the unit to show, log categories, and a default experiment."""
+    parent = SubElement(root, "UnitDefinitions")
     for unit in UNITS.values():
         element = SubElement(parent, "Unit", name=unit.name)
         SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in unit.base.items()})
         if unit.display:
             SubElement(element, "DisplayUnit", name=unit.display, factor=number_text(unit.display_factor))
+    categories = SubElement(root, "LogCategories")
+    for name, meaning in LOG_CATEGORIES.items():
+        SubElement(categories, "Category", name=name, description=meaning)
+    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
 
 
 def _variables(parent, starts):
     """Every variable, in the order of the table."""
     for variable in VARIABLES:
-        element = SubElement(
-            parent,
-            "ScalarVariable",
-            name=variable.name,
-            valueReference=str(REFERENCE[variable.name]),
-            description=variable.description,
-            causality=variable.causality,
-            variability=variable.variability,
-        )
+        element = SubElement(parent, "ScalarVariable", name=variable.name,
+                             valueReference=str(REFERENCE[variable.name]), description=variable.description,
+                             causality=variable.causality, variability=variable.variability)
         if variable.causality != INPUT:
             element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
         SubElement(element, variable.type, attributes_of(variable, starts))
@@ -121,10 +115,6 @@ def _structure(parent):
 
 def _unknown(parent, place, follows):
     """One dependency entry; FMI 2 counts variables from 1 there, in the order of the file."""
-    SubElement(
-        parent,
-        "Unknown",
-        index=str(place + 1),
-        dependencies=" ".join(str(known + 1) for known in sorted(follows)),
-        dependenciesKind=" ".join("dependent" for _ in follows),
-    )
+    SubElement(parent, "Unknown", index=str(place + 1),
+               dependencies=" ".join(str(known + 1) for known in sorted(follows)),
+               dependenciesKind=" ".join("dependent" for _ in follows))

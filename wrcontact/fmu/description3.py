@@ -2,14 +2,14 @@
 
 import re
 from typing import NamedTuple
-from xml.etree.ElementTree import Element, SubElement, indent, tostring
+from xml.etree.ElementTree import Element, SubElement
 
 from ..interface.outputs import SIDE
 from ..interface.references import STORED, numbered
 from ..interface.rows import Run
 from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
 from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
-from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, unit_definitions
+from .description import DESCRIPTION, MODEL, attributes_of, describe_common, xml_file
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,
@@ -61,18 +61,13 @@ def model_description(token, tool, version, starts, units=()):
                    description=DESCRIPTION, version=version, generationTool=tool,
                    variableNamingConvention="structured")
     SubElement(root, "CoSimulation", CAPABILITIES)
-    unit_definitions(SubElement(root, "UnitDefinitions"))
-    categories = SubElement(root, "LogCategories")
-    for name, meaning in LOG_CATEGORIES.items():
-        SubElement(categories, "Category", name=name, description=meaning)
-    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
+    describe_common(root)
     blocks = variable_blocks()
     variables = SubElement(root, "ModelVariables")
     for block in blocks:
         _variable(variables, block, starts)
     _structure(SubElement(root, "ModelStructure"), blocks)
-    indent(root)
-    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+    return xml_file(root)
 
 
 def build_description(units):
@@ -87,8 +82,7 @@ def build_description(units):
     for name in units:
         SubElement(files, "SourceFile", name=name)
     SubElement(configuration, "Library", name="m", external="true", description="mathematical functions of C")
-    indent(root)
-    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+    return xml_file(root)
 
 
 def _variable(parent, block, starts):

@@ -10,7 +10,7 @@ import fmpy
 from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
 from ..kernel.binding.compiler import KERNEL_UNITS, compile_platform
-from ..kernel.binding.platforms import PLATFORMS, host_platform
+from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..progress import tracked
 from ..storage.atomic import write_atomically

@@ -7,10 +7,9 @@ from pathlib import Path
 
 from ..interface.references import LIST
 from ..kernel.binding.compiler import KERNEL_UNITS, CompilerProblem, compile_platform, has_zig
+from ..kernel.binding.files import LIBRARY_NAME, library_name
 from ..kernel.binding.library import HERE, LibraryUnusable, fingerprint, open_library
-from ..kernel.binding.platforms import LIBRARY_NAME, library_name
-from ..kernel.binding.reach_table import DATA
-from ..kernel.binding.rolling_table import CORRECTION
+from ..kernel.binding.rolling_table import CORRECTION, DATA
 from ..progress import tracked
 
 PACKAGE = Path(__file__).resolve().parent.parent

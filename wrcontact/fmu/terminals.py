@@ -1,6 +1,6 @@
 """The folder terminalsAndIcons of an FMU: its icon, and its variables in groups that connect as one."""
 
-from xml.etree.ElementTree import Element, SubElement, indent, tostring
+from xml.etree.ElementTree import Element, SubElement
 
 from ..conventions import SIDES
 from ..interface.friction import FRICTION as FRICTION_INPUTS
@@ -8,6 +8,7 @@ from ..interface.motion import MOTION as MOTION_INPUTS
 from ..interface.rails import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from .archive import SOURCES
+from .description import xml_file
 
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
@@ -36,14 +37,9 @@ def terminals_and_icons(version, names):
         for member, variable in members.items():
             SubElement(terminal, "TerminalMemberVariable", variableName=variable, memberName=member,
                        variableKind="signal")
-    indent(root)
     image = (SOURCES / "icon.png").read_bytes()
-    entries = {
-        "terminalsAndIcons/terminalsAndIcons.xml": tostring(root, encoding="UTF-8", xml_declaration=True)
-        + b"\n",
-        "terminalsAndIcons/icon.png": image,
-        "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes(),
-    }
+    entries = {"terminalsAndIcons/terminalsAndIcons.xml": xml_file(root), "terminalsAndIcons/icon.png": image,
+               "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes()}
     return entries if version == 3 else {**entries, "model.png": image}     # where FMI 2 has its icon
 
 

@@ -12,8 +12,8 @@ from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.motion.creepage import rolling_velocity, velocity_along
-from ..kernel.tangential.sections import cut_patch
+from ..kernel.creep.creepage import rolling_velocity, velocity_along
+from ..kernel.creep.cut import cut_patch
 from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
 from .pressed_wheel import PressedWheel
@@ -85,7 +85,7 @@ class KernelRolling:
     def __call__(self, side, index, patch, motion):
         work = layout.Work.at(self._workspace)
         work.patch = patch
-        default_kernel().solve_tangential(self._sides[index], self._workspace)
+        default_kernel().solve_creep_force(self._sides[index], self._workspace)
         ctypes.pointer(patch)[0] = work.patch
 
 

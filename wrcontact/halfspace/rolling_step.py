@@ -6,15 +6,14 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.motion.creepage import STANDSTILL
-from ..kernel.tangential.sections import clear_creep
-from ..kernel.tangential.tangential_contact import mirror_rolling
-from ..kernel.tangential.tractions import add_strip
+from ..kernel.creep.creep_force import mirror_rolling
+from ..kernel.creep.creepage import STANDSTILL
+from ..kernel.creep.cut import clear_creep
+from ..kernel.creep.tractions import add_strip
 from ..kernel.wheelset.forces import sum_forces
 from ..kernel.wheelset.report import report
 from ..kernel.wheelset.requested import has_creep_forces
-from ..kernel.wheelset.rubbing import close_rolling, open_rolling
-from ..kernel.wheelset.wear import write_wear
+from ..kernel.wheelset.rubbing import close_rolling, open_rolling, write_wear
 from ..status import Status
 from .rolling.extrapolation import roll_outline
 from .rolling.pressure import Outline

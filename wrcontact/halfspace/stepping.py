@@ -9,8 +9,8 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.wheelset.moving import move_patches
 from ..kernel.wheelset.requested import has_creep_forces, is_requested
+from ..kernel.wheelset.rubbing import move_patches
 from ..progress import tracked
 from ..status import Status
 from .contact import TOLERANCE

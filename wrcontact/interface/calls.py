@@ -26,13 +26,10 @@ def input_values(arguments, keywords):
         if name not in PLACES:
             raise TypeError(f"there is no input {name!r}; inputs are {', '.join(PLACES)}")
         values[PLACES[name]] = value
-    if len(arguments) > len(POSITIONAL) or any(
-        INPUTS[place].keyword in keywords for place in POSITIONAL[: len(arguments)]
-    ):
-        names = ", ".join(INPUTS[place].name for place in POSITIONAL)
-        raise TypeError(
-            f"{len(arguments)} inputs have no name; permitted are {names}, each once, and others by name"
-        )
+    named = [INPUTS[place].keyword for place in POSITIONAL]
+    if len(arguments) > len(named) or any(name in keywords for name in named[:len(arguments)]):
+        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(named)}, each once, "
+                        "and others by name")
     return values
 
 
@@ -72,14 +69,10 @@ def check_processes(processes):
 def describe_inputs(function):
     """Give ``evaluate`` or ``evaluate_many`` its signature, and the words of the inputs."""
     found = signature(function).parameters
-    rows = [
-        _parameter(row.keyword, row.start, row.positional)
-        for row in sorted(INPUTS, key=lambda row: not row.positional)
-    ]
-    function.__signature__ = Signature(
-        [found["self"], *rows, *(found[name] for name in ("penetration", "side", "outputs", "processes")
-                                 if name in found)]
-    )
+    rows = [_parameter(row.keyword, row.start, row.positional)
+            for row in sorted(INPUTS, key=lambda row: not row.positional)]
+    others = [found[name] for name in ("penetration", "side", "outputs", "processes") if name in found]
+    function.__signature__ = Signature([found["self"], *rows, *others])
     _fill(function, "{inputs}", [f"        {row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
 
 
@@ -94,9 +87,8 @@ def describe_parameters(system):
 
 def _parameter(name, default, positional):
     """One parameter of a signature."""
-    return Parameter(
-        name, Parameter.POSITIONAL_OR_KEYWORD if positional else Parameter.KEYWORD_ONLY, default=default
-    )
+    kind = Parameter.POSITIONAL_OR_KEYWORD if positional else Parameter.KEYWORD_ONLY
+    return Parameter(name, kind, default=default)
 
 
 def _lines(row):

@@ -119,11 +119,3 @@ WHEELSET = (
 )
 
 SIDES = ("left", "right")
-
-#: Words for what stands before the dot of a name.
-PARTS = {
-    "contact": "The contact point in the frames of the wheel, the rail and the track.",
-    "tangential": "Creep force and moment of a patch on its wheel.",
-    "normal": "Forces and moments of the pressures alone, without creep forces.",
-    "creepage": "Velocity of the wheel against the rail in the plane of a patch, over the rolling speed.",
-}

@@ -19,29 +19,20 @@ class Track(Checked):
     """Rails: ``gauge`` [m], measured ``gauge_depth`` [m] below the highest point of the inclined head;
     ``rail_inclination`` [1]."""
 
-    rail_inclination: float = number(
-        1 / 40, 0.0, 0.1, "1", "Inclination of the rail to the track centre as a slope; 0.025 is 1:40"
-    )
-    gauge: float = number(
-        1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails", nominal=1.0
-    )
-    gauge_depth: float = number(
-        0.014,
-        0.005,
-        0.035,
-        "m",
-        "Depth below the highest point of the inclined rail head at which the gauge is measured",
-        nominal=0.01,
-    )
+    rail_inclination: float = number(1 / 40, 0.0, 0.1, "1", "Inclination of the rail to the track centre as "
+                                     "a slope; 0.025 is 1:40")
+    gauge: float = number(1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails",
+                          nominal=1.0)
+    gauge_depth: float = number(0.014, 0.005, 0.035, "m", "Depth below the highest point of the inclined "
+                                "rail head at which the gauge is measured", nominal=0.01)
 
 
 @frozen
 class Wheelset(Checked):
     """Wheels: ``running_circle_distance`` [m] of the two running circles, ``nominal_radius`` [m] there."""
 
-    running_circle_distance: float = number(
-        1.5, 0.5, 2.5, "m", "Distance between the running circles of the two wheels", nominal=1.0
-    )
+    running_circle_distance: float = number(1.5, 0.5, 2.5, "m", "Distance between the running circles of the "
+                                            "two wheels", nominal=1.0)
     nominal_radius: float = number(0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5,
                                    usual=(0.125, 0.7))
 
@@ -67,35 +58,15 @@ LEFT = "left_"
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination")
 
 #: Numbers that belong to none of the records.
-STATIONS = Number(
-    STATION_COUNT,
-    STATION_LEAST,
-    STATION_LIMIT,
-    "1",
-    "Stations of a patch's outline",
-    whole=True,
-    python_only=True,
-)
-SMOOTHING = Number(
-    None,
-    0.0,
-    0.5e-3,
-    "m",
-    "Permitted RMS distance between the curve and the points of a profile file",
-    python_only=True,
-)
-DAMPING = Number(
-    0.0,
-    0.0,
-    100.0,
-    "s/m",
-    "Contact damping in the contact_mode compliant: forces are multiplied by 1 + damping times the speed of "
-    "the approach, and are never below zero",
-    nominal=0.1,
-)
-
-
-OTHERS = {"contact_damping": DAMPING, "stations": STATIONS, "smoothing": SMOOTHING}
+OTHERS = {
+    "contact_damping": Number(0.0, 0.0, 100.0, "s/m", "Contact damping in the contact_mode compliant: forces "
+                              "are multiplied by 1 + damping times the speed of the approach, and are never "
+                              "below zero", nominal=0.1),
+    "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",
+                       whole=True, python_only=True),
+    "smoothing": Number(None, 0.0, 0.5e-3, "m", "Permitted RMS distance between the curve and the points of "
+                        "a profile file", python_only=True),
+}
 
 
 @dataclass(frozen=True)
@@ -141,12 +112,8 @@ class Parameter:
 
 
 def _profile(kind, default):
-    return Parameter(
-        kind,
-        f"{kind.capitalize()} profile: a built-in name, or the name of a file that is packed in the FMU",
-        default,
-        fmu_name=f"{kind}_profile",
-    )
+    return Parameter(kind, f"{kind.capitalize()} profile: a built-in name, or the name of a file that is "
+                     "packed in the FMU", default, fmu_name=f"{kind}_profile")
 
 
 def _numeric(name, known):
@@ -165,16 +132,10 @@ def _left(row):
 
 
 def _method(family):
-    words = ", ".join(
-        f"{method.name} = {method.words}" for method in family.methods if not method.python_only
-    )
-    return Parameter(
-        family.parameter,
-        f"Method, {family.decides}: {words}",
-        family.default,
-        family=family,
-        fmu_name=family.parameter,
-    )
+    words = ", ".join(f"{method.name} = {method.words}" for method in family.methods
+                      if not method.python_only)
+    return Parameter(family.parameter, f"Method, {family.decides}: {words}", family.default, family=family,
+                     fmu_name=family.parameter)
 
 
 def _numbers_of(family):
@@ -187,22 +148,12 @@ def _numbers_of(family):
             known = found.setdefault(keyword, own)
             found[keyword] = replace(known, low=min(known.low, own.low), high=max(known.high, own.high))
             if replace(own, low=0, high=0) != replace(known, low=0, high=0):
-                raise TypeError(
-                    f"{keyword} of the {family.parameter} {method.name!r} differs from that of another one"
-                )
+                raise TypeError(f"{keyword} of the {family.parameter} {method.name!r} differs from that of "
+                                "another one")
     return found
 
 
 def _rows():
-    sided = []
-    for row in _right_rows():
-        yield row
-        if row.name in SIDED:
-            sided.append(_left(row))
-    yield from sided
-
-
-def _right_rows():
     """All rows but those of the left side."""
     yield _profile("wheel", "S1002")
     yield _profile("rail", "UIC60")
@@ -219,15 +170,13 @@ def _right_rows():
 
 #: Every row by its name, in the order of the keywords.
 PARAMETERS = {row.name: row for row in _rows()}
+PARAMETERS |= {LEFT + name: _left(PARAMETERS[name]) for name in PARAMETERS if name in SIDED}
 
 
 #: Names of those that always have a number or a method, and so have a place in the kernel's record
 #: Parameters.
-KERNEL_PARAMETERS = tuple(
-    row.name
-    for row in PARAMETERS.values()
-    if not row.right and (row.family or (row.number is not None and row.start is not None))
-)
+KERNEL_PARAMETERS = tuple(row.name for row in PARAMETERS.values() if not row.right and (
+    row.family or (row.number is not None and row.start is not None)))
 
 
 def checked_parameters(given, groups):
@@ -274,8 +223,7 @@ def _split(given):
                 raise ValueError(f"{name} is {value!r}; permitted is one value, or (left, right)")
             if found.get(LEFT + name) is not None:
                 raise ValueError(f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "
-                                 f"permitted is "
-                                 "one of the two")
+                                 "permitted is one of the two")
             found[LEFT + name], found[name] = value
     return found
 
@@ -301,10 +249,8 @@ def _take(record, given, argument):
         own, other = getattr(record, name), given.get(keyword)
         if other is not None and other != own:
             unit = unit_behind(PARAMETERS[keyword].number.unit)
-            raise ValueError(
-                f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
-                "permitted is one value"
-            )
+            raise ValueError(f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
+                             "permitted is one value")
         given[keyword] = own
 
 
@@ -312,15 +258,10 @@ def _method_of(family, parameters):
     """The chosen method of one family with its numbers."""
     method = family.method(parameters[family.parameter])
     for keyword in _numbers_of(family):
-        if (
-            parameters[keyword] is not None
-            and PARAMETERS[keyword].default is None
-            and keyword not in method.keywords()
-        ):
+        value = parameters[keyword]
+        if value is not None and PARAMETERS[keyword].default is None and keyword not in method.keywords():
             users = " or ".join(repr(name) for name in family.with_keyword(keyword))
-            raise ValueError(
-                f"{keyword} is {parameters[keyword]!r}; "
-                f"permitted with the {family.parameter} {method.name!r} is None, only {users} has {keyword}"
-            )
+            raise ValueError(f"{keyword} is {value!r}; permitted with the {family.parameter} {method.name!r} "
+                             f"is None, only {users} has {keyword}")
     method().check_beside(parameters)
     return method(**{name: parameters[keyword] for keyword, name in method.keywords().items()})

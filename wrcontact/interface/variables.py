@@ -66,17 +66,8 @@ def _inputs():
         if row.switch:
             yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=bool(row.start))
             continue
-        yield Variable(
-            row.name,
-            INPUT,
-            row.meaning,
-            unit=row.unit,
-            start=row.start,
-            minimum=row.minimum,
-            maximum=row.maximum,
-            nominal=row.nominal,
-            place=row.place,
-        )
+        yield Variable(row.name, INPUT, row.meaning, unit=row.unit, start=row.start, minimum=row.minimum,
+                       maximum=row.maximum, nominal=row.nominal, place=row.place)
 
 
 def _parameters():
@@ -89,20 +80,10 @@ def _parameter(row):
     start, known = STARTS.get(row.fmu_name, row.start), row.number
     if known is None:
         choices = row.family.names(python=False) if row.family else ()
-        return Variable(
-            row.fmu_name, PARAMETER, row.meaning, STRING, start=start, keyword=row.name, choices=choices
-        )
-    return Variable(
-        row.fmu_name,
-        PARAMETER,
-        row.meaning,
-        unit=known.unit,
-        start=start,
-        minimum=known.low,
-        maximum=known.high,
-        nominal=known.nominal or row.start,
-        keyword=row.name,
-    )
+        return Variable(row.fmu_name, PARAMETER, row.meaning, STRING, start=start, keyword=row.name,
+                        choices=choices)
+    return Variable(row.fmu_name, PARAMETER, row.meaning, unit=known.unit, start=start, minimum=known.low,
+                    maximum=known.high, nominal=known.nominal or row.start, keyword=row.name)
 
 
 def _expanded(rows, prefix="", place=""):
@@ -127,20 +108,10 @@ def _output(row, name, meaning, place):
     """One output; angles are bounded by a right angle."""
     low, high = (-math.pi / 2, math.pi / 2) if row.unit == "rad" else (row.minimum, row.maximum)
     if row.whole:
-        return Variable(
-            name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=ANSWERED, place=place
-        )
-    return Variable(
-        name,
-        OUTPUT,
-        meaning,
-        unit=row.unit,
-        minimum=low,
-        maximum=high,
-        nominal=row.nominal,
-        depends_on=ANSWERED,
-        place=place,
-    )
+        return Variable(name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=ANSWERED,
+                        place=place)
+    return Variable(name, OUTPUT, meaning, unit=row.unit, minimum=low, maximum=high, nominal=row.nominal,
+                    depends_on=ANSWERED, place=place)
 
 
 def _outputs():
@@ -167,16 +138,9 @@ def _equilibrium():
 
 
 #: What became of a step; it is no part of the kernel's outputs.
-_STATUS = Variable(
-    "status",
-    OUTPUT,
-    "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the profile, "
-    "3 not converged, 4 invalid input (2 to 4 keep the last valid values)",
-    INTEGER,
-    minimum=0,
-    maximum=4,
-    depends_on=ANSWERED,
-)
+_STATUS = Variable("status", OUTPUT, "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the "
+                   "profile, 3 not converged, 4 invalid input (2 to 4 keep the last valid values)", INTEGER,
+                   minimum=0, maximum=4, depends_on=ANSWERED)
 
 VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_outputs()), _STATUS)
 #: Place of every variable in the table, and its value reference in FMI 2.0.
@@ -192,11 +156,8 @@ STATUS = PLACE["status"]
 
 def select(causality=None, type=None):
     """The variables of one causality and type, in table order."""
-    return [
-        variable
-        for variable in VARIABLES
-        if causality in (None, variable.causality) and type in (None, variable.type)
-    ]
+    return [variable for variable in VARIABLES
+            if causality in (None, variable.causality) and type in (None, variable.type)]
 
 
 def documented():

@@ -18,10 +18,13 @@ class Family:
         self.methods = ()
 
     def add(self, method):
-        """Register a method; its name is its own, and so is its number, unless it has the kernel do something
-        else for it."""
-        if method.name in self.names() or not method.python_only and method.kernel_number in {
-                one.kernel_number for one in self.methods if not one.python_only}:
+        """Register a method.  Its name is its own, and so is its number; one that an FMU does not have may
+        have the number of an earlier method, which the kernel then solves for it."""
+        missing = [name for name in ("kernel_number", "words") if not hasattr(method, name)]
+        if missing:
+            raise TypeError(f"{method.__name__} has no {' and no '.join(missing)}; a method has both")
+        numbers = {one.kernel_number for one in self.methods}
+        if method.name in self.names() or not method.python_only and method.kernel_number in numbers:
             raise TypeError(f"two methods of {self.parameter} have the name {method.name!r} "
                             f"or the number {method.kernel_number}")
         self.methods += (method,)
@@ -49,7 +52,8 @@ class Method(Checked):
     """One choice of a family.
 
     A direct subclass is a family: it has ``parameter``, ``constant`` and ``decides`` (see :class:`Family`).
-    A class below it that has a ``name`` is a method, and is registered in ``family``.
+    A class below it that has a ``name`` is a method, and is registered in ``family``; its fields are its
+    numbers, each with default, range, unit and words (numbers.py).  docs/own_model.md shows how to add one.
 
     Attributes
     ----------
@@ -58,7 +62,7 @@ class Method(Checked):
     name : its string there.
     kernel_number : by which the kernel knows it.  It is in FMUs and saved states: it never moves, and a new
         method gets the next one.
-    words : what it does, a clause for the user.
+    words : what it does, a clause for the user: in the FMU, the command's help and docs/nomenclature.md.
     python_only : whether an FMU and the command line do not have it.
     needs : what else must be chosen with it: {reason: {parameter: name}}.
     """
@@ -90,7 +94,5 @@ class Method(Checked):
         for reason, needed in self.needs.items():
             for parameter, name in needed.items():
                 if chosen[parameter] != name:
-                    raise ValueError(
-                        f"{parameter} is {chosen[parameter]!r}; "
-                        f"permitted with the {self.parameter} {self.name!r}, which {reason}, is {name!r}"
-                    )
+                    raise ValueError(f"{parameter} is {chosen[parameter]!r}; permitted with the "
+                                     f"{self.parameter} {self.name!r}, which {reason}, is {name!r}")

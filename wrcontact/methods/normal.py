@@ -38,33 +38,34 @@ ANALYN_LADDER = {
 
 def tolerance_from(finest):
     """The field ``tolerance`` of a model that keeps tolerances down to ``finest`` [1]."""
-    return number(
-        None,
-        finest,
-        COARSEST,
-        "1",
-        "Relative error of the numerics in penetration, area and peak pressure; nodes and "
-        "strips are as fine as it needs",
-        nominal=0.01,
-        start=DEFAULT,
-    )
+    return number(None, finest, COARSEST, "1", "Relative error of the numerics in penetration, area and peak "
+                  "pressure; nodes and strips are as fine as it needs", nominal=0.01, start=DEFAULT)
 
 
 def node_count():
     """The field ``nodes``."""
-    return whole(
-        None,
-        4,
-        38,
-        "Nodes per half-width of the interpenetration, instead of those that the tolerance needs",
-        python_only=True,
-    )
+    return whole(None, 4, 38, "Nodes per half-width of the interpenetration, instead of those that the "
+                 "tolerance needs", python_only=True)
 
 
 class NormalModel(Method):
-    """How a patch, its pressure and its penetration follow from load and geometry.
+    """How patches, their pressures and the penetration follow from load and geometry.
 
-    ``ladder`` holds a :class:`Resolution` by falling tolerance; the last one is as fine as the model gets.
+    The kernel has a function for each model, called from wrcontact/kernel/normal/normal_contact.py for one
+    wheel whose contact plane is open.  It returns
+
+    * the penetration [m] along the normal of the contact point: that under the given force [N], or the
+      prescribed one where that is a number;
+    * the number of regions, 0 where the wheel overlaps its rail most at the end of a profile;
+    * whether the force is satisfied; the step has the status "not converged" where it is not.
+
+    For each region it leaves what the equilibrium of an elastic wheelset needs: ``stiffness`` [N/m] and
+    ``carried`` [N].  Where patches are wanted it fills them with wrcontact/kernel/patch/filling.py, from one
+    edge to the other: load and its moment by region, area, edges, largest half-length and pressure, and the
+    strips between which outline and creep forces interpolate.
+
+    A subclass has ``tolerance``, as tolerances are stated at the head of this module, and ``ladder``: a
+    :class:`Resolution` by falling tolerance, of which the last one is as fine as the model gets.
     """
 
     parameter = "normal_model"
@@ -77,9 +78,8 @@ class NormalModel(Method):
         """The coarsest :class:`Resolution` that keeps the tolerance, with single numbers replaced by those
         given."""
         tolerance = DEFAULT if self.tolerance is None else self.tolerance
-        found = next(
-            (rung for kept, rung in self.ladder.items() if kept <= tolerance), [*self.ladder.values()][-1]
-        )
+        finest = list(self.ladder.values())[-1]
+        found = next((rung for kept, rung in self.ladder.items() if kept <= tolerance), finest)
         counts = {name: getattr(self, name, None) for name in ("nodes", "strips", "sweeps")}
         given = {name: value for name, value in counts.items() if value is not None}
         if "nodes" in given:
@@ -128,20 +128,10 @@ class Strip(NormalModel):
 
     tolerance: float | None = tolerance_from(min(STRIP_LADDER))
     nodes: int | None = node_count()
-    strips: int | None = whole(
-        None,
-        16,
-        64,
-        "Strips of the strip model, instead of those that the tolerance needs",
-        python_only=True,
-    )
-    sweeps: int | None = whole(
-        None,
-        1,
-        4,
-        "Sweeps of the strip model, instead of those that the tolerance needs",
-        python_only=True,
-    )
+    strips: int | None = whole(None, 16, 64, "Strips of the strip model, instead of those that the tolerance "
+                               "needs", python_only=True)
+    sweeps: int | None = whole(None, 1, 4, "Sweeps of the strip model, instead of those that the tolerance "
+                               "needs", python_only=True)
 
 
 @frozen
@@ -169,19 +159,12 @@ class Halfspace(NormalModel):
     """
 
     name = "halfspace"
-    kernel_number = (
-        Hertz.kernel_number
-    )  # it takes the rigid geometry alone from the kernel, whose cheapest model is Hertz's
+    kernel_number = Hertz.kernel_number     # the cheapest; of the kernel it needs the rigid geometry alone
     words = "complete half-space theory on the true gap"
     python_only = True
-    needs = {
-        "knows the whole surface": {
-            "longitudinal_curvature": "effective",
-            "separation": "normal",
-            "lateral_curvature": "adaptive",
-        },
-        "has no damping": {"contact_damping": 0.0},
-    }
+    needs = {"knows the whole surface": {"longitudinal_curvature": "effective", "separation": "normal",
+                                         "lateral_curvature": "adaptive"},
+             "has no damping": {"contact_damping": 0.0}}
 
     tolerance: float | None = tolerance_from(3e-4)
 
@@ -190,7 +173,5 @@ class Halfspace(NormalModel):
         the normal one."""
         super().check_beside(chosen)
         if chosen["tangential_model"] != "none" and chosen["load"] != "normal":
-            raise ValueError(
-                f"load is {chosen['load']!r}; permitted with the normal_model 'halfspace' and the "
-                f"tangential_model {chosen['tangential_model']!r} is 'normal'"
-            )
+            raise ValueError(f"load is {chosen['load']!r}; permitted with the normal_model 'halfspace' and "
+                             f"the tangential_model {chosen['tangential_model']!r} is 'normal'")

@@ -88,11 +88,8 @@ class Number:
         """
         if value is None and self.default is None:
             return None
-        found = (
-            _number(value)
-            if not self.whole or (isinstance(value, Real) and not isinstance(value, bool))
-            else math.nan
-        )
+        countable = isinstance(value, Real) and not isinstance(value, bool)
+        found = _number(value) if countable or not self.whole else math.nan
         if not self.low <= found <= self.high or (self.whole and found != int(found)):
             raise ValueError(f"{name} is {value!r}; permitted {self._permitted(context)}")
         return int(found) if self.whole else found
@@ -123,11 +120,8 @@ class Checked:
             object.__setattr__(self, name, known.checked(name, getattr(self, name), self.context))
 
     def __repr__(self):
-        changed = [
-            f"{one.name}={getattr(self, one.name)!r}"
-            for one in fields(self)
-            if getattr(self, one.name) != one.default
-        ]
+        changed = [f"{one.name}={getattr(self, one.name)!r}" for one in fields(self)
+                   if getattr(self, one.name) != one.default]
         return f"{type(self).__name__}({', '.join(changed)})"
 
     @classmethod

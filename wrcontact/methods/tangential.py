@@ -1,15 +1,30 @@
 """How creep forces follow from a solved patch and its creepages."""
 
+from typing import ClassVar
+
 from .method import Method
 from .numbers import frozen, whole
 
 
 class TangentialModel(Method):
-    """How tractions and creep forces follow from a solved patch, its creepages and its friction."""
+    """How tractions and creep forces follow from a solved patch, its creepages and its friction.
+
+    The kernel has a function for each model, called for one patch that presses, rubs and rolls forwards, cut
+    into strips along the rolling direction.  It reads load, semi-axes, strips, creepages and friction from
+    the record of the patch, and writes there the force on the wheel [N] in the frame of the creepages, no
+    more than friction times load; its moment about the normal [N m]; the share of the area that sticks; and
+    the largest traction [Pa].  All are zero before.  Of each strip it writes force and moment per width.
+
+    Attributes
+    ----------
+    one_ellipse : whether it takes the patch for one ellipse: it has no moment, no stick zone and nothing for
+        the strips, so that its power is not that of its tractions.
+    """
 
     parameter = "tangential_model"
     constant = "TANGENTIAL"
     decides = "creep forces"
+    one_ellipse: ClassVar[bool] = False
 
 
 def published_spin():
@@ -31,7 +46,7 @@ class NoTangential(TangentialModel):
 @frozen
 class CoupledStrips(TangentialModel):
     """Coupled strips with a correction from exact solutions of ellipses
-    (wrcontact/kernel/tangential/coupled_strips.py)."""
+    (wrcontact/kernel/creep/coupled_strips.py)."""
 
     name = "strips"
     kernel_number = 1
@@ -40,7 +55,7 @@ class CoupledStrips(TangentialModel):
 
 @frozen
 class Fastsim(TangentialModel):
-    """Kalker's simplified theory (wrcontact/kernel/tangential/fastsim.py)."""
+    """Kalker's simplified theory (wrcontact/kernel/creep/fastsim.py)."""
 
     name = "fastsim"
     kernel_number = 2
@@ -51,7 +66,7 @@ class Fastsim(TangentialModel):
 
 @frozen
 class Fastrip(TangentialModel):
-    """Strip theory joined with FASTSIM (wrcontact/kernel/tangential/fastrip.py)."""
+    """Strip theory joined with FASTSIM (wrcontact/kernel/creep/fastrip.py)."""
 
     name = "fastrip"
     kernel_number = 3
@@ -62,11 +77,12 @@ class Fastrip(TangentialModel):
 
 @frozen
 class Polach(TangentialModel):
-    """Polach's formula for one ellipse (wrcontact/kernel/tangential/polach.py)."""
+    """Polach's formula for one ellipse (wrcontact/kernel/creep/polach.py)."""
 
     name = "polach"
     kernel_number = 4
     words = "Polach's formula for one ellipse"
+    one_ellipse = True
 
 
 @frozen

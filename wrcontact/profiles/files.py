@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
-from ..interface.parameters import SMOOTHING
+from ..interface.parameters import PARAMETERS
 from .readers import read_points
 from .reading import Reading
 from .remarks import Refusal, remark
@@ -24,6 +24,7 @@ from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
+SMOOTHING = PARAMETERS["smoothing"].number
 #: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
 #: Points of a rail within this height of its highest point count as equally high [mm].

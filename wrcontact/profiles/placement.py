@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from ..conventions import MILLIMETRE as MM
-from ..kernel.prepare import placement
+from ..kernel.prepare import zones as placement
 from .definition import zones_of
 from .profile import Profile
 
@@ -49,7 +49,7 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
 
 def readable_wheel(wheel):
     """``wheel`` without the parts at its ends that are too steep to be read, such as the vertical start of
-    the flange back (STEEPEST in kernel/prepare/placement.py)."""
+    the flange back (STEEPEST in kernel/prepare/zones.py)."""
     return _turned(wheel, wheel.definition().tolist(), 0.0, 0.0, 0.0)
 
 

@@ -299,17 +299,10 @@ class Session:
     def snapshot(self):
         """The complete state of the simulation as bytes."""
         stepper = self._stepper
-        header = {
-            "build": BUILD,
-            "parameters": self.parameters,
-            "built": stepper is not None,
-            "life": self.life.saved(),
-            "stale": self._stale,
-            "balanced": self._balanced,
-            "told": self._told,
-        }
-        arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs,
-                                                          stepper.state)
+        header = {"build": BUILD, "parameters": self.parameters, "built": stepper is not None,
+                  "life": self.life.saved(), "stale": self._stale, "balanced": self._balanced,
+                  "told": self._told}
+        arrays = self._arrays(stepper)
         body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
         return STATE_FORMAT + hashlib.sha256(body).digest() + body
 
@@ -317,8 +310,7 @@ class Session:
         """Restore a snapshot; :class:`Refused`, without any change, if ``saved`` is not one."""
         header, numbers = _read_snapshot(saved)
         stepper = self._stepper_for(header)
-        arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs,
-                                                         stepper.state]
+        arrays = self._arrays(stepper)
         expected = sum(array.size for array in arrays)
         if numbers.size != expected:
             raise Refused(f"the saved state holds {numbers.size} numbers, expected are {expected}; the "
@@ -331,6 +323,10 @@ class Session:
         self._built_with = dict(self.parameters) if stepper is not None else None
         self.life = Life(*header["life"])
         self._stale, self._told, self._balanced = header["stale"], header["told"], header["balanced"]
+
+    def _arrays(self, stepper):
+        """What a saved state holds of the session and its ``stepper``, which may be None."""
+        return [self._values, *([] if stepper is None else [stepper.inputs, stepper.outputs, stepper.state])]
 
     def _stepper_for(self, header):
         """The stepper for a snapshot: the present one if the parameters are equal, otherwise a new one."""

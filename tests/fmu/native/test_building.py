@@ -17,7 +17,7 @@ from tests.helpers.paths import ROOT
 from wrcontact.fmu import native
 from wrcontact.kernel.binding import compiler
 from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
-from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 pytestmark = needs_compiler
 

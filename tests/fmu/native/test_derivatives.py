@@ -27,7 +27,7 @@ def kernel_rates(start, stations, row, names, inputs):
     stepper.inputs[:] = made._values[:len(stepper.inputs)]
     stepper.step()
     places = [REFERENCE[name] - variables.FIRST_OUTPUT for name in names]
-    rates = [stepper._bound.tangent(np.eye(len(stepper.inputs))[REFERENCE[name]])[1] for name in inputs]
+    rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[REFERENCE[name]])[1] for name in inputs]
     return [[*along[places], *outline_of_both(along)["right.station"]] for along in rates]
 
 

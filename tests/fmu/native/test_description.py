@@ -13,7 +13,7 @@ from wrcontact.cli import demo
 from wrcontact.fmu import native
 from wrcontact.fmu.description3 import variable_blocks
 from wrcontact.interface.variables import BOOLEAN, OUTPUT, STRING, VARIABLES
-from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 pytestmark = needs_compiler
 

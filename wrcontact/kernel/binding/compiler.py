@@ -25,8 +25,7 @@ from functools import cache
 from pathlib import Path
 
 from ...storage.atomic import write_atomically
-from .files import HERE
-from .platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
+from .files import HERE, LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 #: What is compiled of the kernel.  Steps, preparation and derivatives are separate units, so that the
 #: optimisation of the first does not depend on the others.

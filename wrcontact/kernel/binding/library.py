@@ -25,12 +25,11 @@ from pathlib import Path
 import numpy as np
 
 from . import files
-from .files import HERE
+from .files import HERE, LIBRARY_NAME
 from .. import layout
 from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE,
                       WORK_SIZE, Inputs, Setup, State, Tables, Work)
 from ..patch.outline import row_size
-from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
 
 #: How many numbers the tables get room for at first, and at most.
@@ -123,17 +122,17 @@ class Kernel:
             self.library.wrcontact_cut_patch(span(workspace))
             return
         work = Work.at(workspace)
-        source = import_module("..tangential.sections", __package__)
+        source = import_module("..creep.cut", __package__)
         source.cut_patch(work.patch, work.contact.strips)
 
-    def solve_tangential(self, tables, workspace):
+    def solve_creep_force(self, tables, workspace):
         """The creep force of the patch by itself in the workspace (n,), by the model of the tables (n,)."""
         if self.compiled:
-            self.library.wrcontact_solve_tangential(span(tables), span(workspace))
+            self.library.wrcontact_solve_creep_force(span(tables), span(workspace))
             return
-        source = import_module("..tangential.tangential_contact", __package__)
+        source = import_module("..creep.creep_force", __package__)
         work = Work.at(workspace)
-        source.solve_tangential(Tables.at(tables), work.rolling, work.patch)
+        source.solve_creep_force(Tables.at(tables), work.rolling, work.patch)
 
 
 def fill_starts(source, left, right, equal):
@@ -170,14 +169,14 @@ class CompiledKernel:
         return self._library.wrcontact_step_many(self._handle, count,
                                                  *(block.ctypes.data for block in blocks))
 
-    def tangent(self, seed):
+    def derivative(self, seed):
         """Status of the step at the inputs, and how its outputs move where the inputs move at
         the rates in ``seed``."""
         if self._room is None:
-            self._room = np.empty(self._library.wrcontact_tangent_room())
+            self._room = np.empty(self._library.wrcontact_derivative_room())
         rates = np.empty(self._size)
         seed = checked("seed", seed, INPUT_COUNT)
-        status = self._library.wrcontact_tangent(self._handle, seed.ctypes.data, rates.ctypes.data,
+        status = self._library.wrcontact_derivative(self._handle, seed.ctypes.data, rates.ctypes.data,
                                                  self._room.ctypes.data)
         return status, rates
 
@@ -250,10 +249,10 @@ def declare(library):
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
     library.wrcontact_complete.argtypes, library.wrcontact_complete.restype = [Span] * 3 + [address], None
     library.wrcontact_cut_patch.argtypes = [Span]
-    library.wrcontact_solve_tangential.argtypes = [Span] * 2
-    library.wrcontact_cut_patch.restype = library.wrcontact_solve_tangential.restype = None
-    library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int
-    library.wrcontact_tangent_room.argtypes, library.wrcontact_tangent_room.restype = [], ctypes.c_int64
+    library.wrcontact_solve_creep_force.argtypes = [Span] * 2
+    library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
+    library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
+    library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
 
 
 def span(array):

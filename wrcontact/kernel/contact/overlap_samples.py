@@ -7,7 +7,7 @@ from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, State, Tables, se
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
-from ..surface.profile_table import height_slope_bend
+from ..surface.tables import height_slope_bend
 
 
 @seldom

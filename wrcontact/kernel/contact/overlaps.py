@@ -1,7 +1,7 @@
 """Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
 
 Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
-point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
+point, which is located along the rail's normals (:mod:`pressed`, :mod:`pressed`).  Two with a low saddle
 between them are one region (deep_points.MERGE).
 """
 
@@ -10,14 +10,12 @@ from typing import Final
 
 from ..layout import (OVERLAP_LIMIT, Overlap, Place, RisePoint, Samples, SideSearch, State, Stretch, Tables,
                       seldom)
-from ..search.bounds import bend_bounds, only_rises_or_falls
-from ..search.raster import node_below
+from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
-from ..surface.profile_table import height_slope
+from ..surface.tables import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
-from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel
-from .touching import turning_point
+from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
 #: show that it turns.

@@ -3,14 +3,12 @@
 from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Place, Region, Regions, SideSearch,
                       State, Tables, seldom)
 from ..surface.locus import outline_point
-from ..surface.profile_table import height_slope
-from .arc_length import rail_length
-from .contact_plane import open_frame
+from ..surface.tables import height_slope
+from .curves import rail_length
+from .frame import BEYOND, incline_region, keep_frame, locate_along_track, open_frame, use_frame
 from .deep_points import deepest_entry
 from .overlaps import find_overlaps
-from .planes import keep_frame, locate_along_track, use_frame
 from .pressed import pressed_gap
-from .regions import BEYOND, incline_region
 from .traces import start_traces
 
 

@@ -1,6 +1,6 @@
 """The undeformed distance over a region's stations, measured in one of four ways.
 
-normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the
+normal        along the normal of the contact plane, :mod:`frame`; of a pressed wheel, along the
               rail's, :mod:`pressed`;
 vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
 equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
@@ -16,11 +16,10 @@ not where the wheelset is.
 from math import sqrt
 
 from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, State, Tables, seldom
-from ..surface.longitudinal_curvature import longitudinal_curvature
-from ..surface.profile_table import height_slope_bend
-from .contact_plane import NO_GAP, normal_gap
-from .curves import curve_jet, within
-from .moves import move_across, move_to_station
+from ..surface.curvature import longitudinal_curvature
+from ..surface.tables import height_slope_bend
+from .frame import NO_GAP, normal_gap
+from .curves import curve_jet, move_across, move_to_station, within
 from .pressed import mean_bend, pressed_gap
 
 

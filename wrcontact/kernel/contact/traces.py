@@ -12,8 +12,8 @@ from typing import Final
 
 from ..layout import RAIL, WHEEL, Direction, Frame, Point, Profile, Tables, Trace
 from ..surface.locus import outline_jet
-from ..surface.longitudinal_curvature import longitudinal_curvature
-from ..surface.profile_table import height_slope_bend
+from ..surface.curvature import longitudinal_curvature
+from ..surface.tables import height_slope_bend
 
 #: A trace is extrapolated to second order over this distance at most [m].
 EXTRAPOLATED: Final[float] = 4e-3

@@ -2,6 +2,9 @@
 #include "constants.h"
 
 /* normal/analyn.py */
+static inline double analyn__planes_cosine(array_double_1d work, int64_t one, int64_t other);
+static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other);
+static inline double analyn__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop);
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration);
 static inline double analyn__load_regions(array_double_1d work, int64_t count);
@@ -17,47 +20,24 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
-/* normal/elimination.py */
-static inline int64_t elimination__eliminate(array_double_1d work, int64_t size);
+/* normal/coefficients.py */
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
+static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
+static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
+static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
+static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
+static inline double coefficients__windowed_curvature(double averaged, double secant, double share);
+static inline int64_t coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
+static inline int64_t coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
+static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* normal/estimate.py */
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
 static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
 static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
-
-/* normal/hertz.py */
-static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
-static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
-static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double hertz__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
-
-/* normal/hertz_contact.py */
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-
-/* normal/interaction.py */
-static inline double interaction__planes_cosine(array_double_1d work, int64_t one, int64_t other);
-static inline double interaction__region_lead(array_double_1d work, int64_t one, int64_t other);
-static inline double interaction__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other);
-
-/* normal/mean_normal.py */
-static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
-
-/* normal/node_coefficients.py */
-static inline double node_coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
-static inline double node_coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
-static inline double node_coefficients__windowed_curvature(double averaged, double secant, double share);
-static inline int64_t node_coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
-static inline int64_t node_coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
-static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
-
-/* normal/node_layout.py */
-static inline double node_layout__zone_share(array_double_1d tables, double A, double side);
-static inline double node_layout__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t node_layout__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
-static inline bool node_layout__covered(array_double_1d work, int64_t count);
 
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
@@ -82,11 +62,18 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
 static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
 static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
+static inline double nodes__zone_share(array_double_1d tables, double A, double side);
+static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
+static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
+static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
 /* normal/patch_places.py */
+static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
 static inline int64_t patch_places__open_place(array_double_1d work, int64_t patch);
 static inline double patch_places__abscissa_at(array_double_1d work, array_double_1d tables, int64_t region, double away);
 static inline int64_t patch_places__place_load(array_double_1d work, array_double_1d tables, int64_t region, int64_t patch, int64_t number);
@@ -95,26 +82,15 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
 static inline int64_t patch_places__place_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* normal/strip_contact.py */
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
 static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force);
-
-/* normal/strip_edges.py */
-static inline int64_t strip_edges__run_end(array_double_1d work, int64_t count, int64_t first);
-static inline double strip_edges__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
-
-/* normal/strip_influence.py */
-static inline double strip_influence__nearness(double distance, double half_length);
-static inline double strip_influence__apartness(double x, double half_length);
-static inline int64_t strip_influence__cell_at(double place, int64_t count);
-static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
-static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
-static inline double strip_influence__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v);
-static inline int64_t strip_influence__begin_influences(array_double_1d work);
-static inline int64_t strip_influence__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed);
-static inline int64_t strip_influence__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed);
-static inline double strip_influence__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
-static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 
 /* normal/strip_layout.py */
 static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count);
@@ -141,6 +117,8 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
 static inline int64_t strip_lengths__adopt_lengths(array_double_1d work);
 
 /* normal/strip_patches.py */
+static inline int64_t strip_patches__run_end(array_double_1d work, int64_t count, int64_t first);
+static inline double strip_patches__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
 static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner);
@@ -158,6 +136,18 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work, arra
 static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count);
 
 /* normal/strip_pressures.py */
+static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size);
+static inline double strip_pressures__nearness(double distance, double half_length);
+static inline double strip_pressures__apartness(double x, double half_length);
+static inline int64_t strip_pressures__cell_at(double place, int64_t count);
+static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
+static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
+static inline double strip_pressures__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v);
+static inline int64_t strip_pressures__begin_influences(array_double_1d work);
+static inline int64_t strip_pressures__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed);
+static inline int64_t strip_pressures__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed);
+static inline double strip_pressures__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
+static inline double strip_pressures__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
 static inline int64_t strip_pressures__list_loaded(array_double_1d work);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, int64_t size);
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
@@ -179,25 +169,11 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
 static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables);
 static inline int64_t strip_surfaces__set_gaps(array_double_1d work);
 
-/* normal/strip_zones.py */
-static inline int64_t strip_zones__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_zones__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
-
-/* normal/strips.py */
-static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t strips__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
-static inline int64_t strips__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strips__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-
-/* normal/widths.py */
-static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
-
 
 /* ---- From normal/analyn.py; change that one.
  *
- * ANALYN on the nodes of up to three regions: from local penetrations
- * to loads, and from a force to penetrations.
+ * ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+ * force to penetrations.
  *
  * Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
  *
@@ -208,9 +184,65 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
  *
  * Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
  * minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
- * interaction.py, docs/method.md).  Where regions have planes of their own (:mod:`planes`), the penetration
+ * docs/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
  * counts by its share along each normal, and a displacement by the cosine of the angle between the two.
  */
+
+/* Displacement of region ``one`` under one newton on region ``other`` [m/N].
+ *
+ * Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and
+ * the lead of one region over the other.  The displacement counts by the cosine of the angle between the
+ * planes.
+ */
+static inline double analyn__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other)
+{
+    double distance;
+    double lead;
+    double squares;
+    double apart;
+    double result;
+    distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
+    lead = analyn__region_lead(work, one, other);
+    squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
+    apart = sqrt(distance * distance + lead * lead + analyn__ELONGATED * squares);
+    result = 1.0 / (M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * apart);
+    result *= analyn__planes_cosine(work, one, other);
+    return result;
+}
+
+/* How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their
+ * planes form an angle of less than 15 degrees.
+ *
+ * A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
+ * ... 3 mm in 10, the lead is left out: the upright patches (docs/method.md, section 9) do without it, and
+ * the half-space agrees better.
+ */
+static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other)
+{
+    double lead;
+    lead = 0.0;
+    if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
+    {
+        lead = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
+    }
+    return lead;
+}
+
+/* Cosine of the angle between the planes of two regions [-]; 1 in one plane, not below 0. */
+static inline double analyn__planes_cosine(array_double_1d work, int64_t one, int64_t other)
+{
+    double cosine;
+    cosine = 1.0;
+    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
+    {
+        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
+        if (cosine < 0.0)
+        {
+            cosine = 0.0;
+        }
+    }
+    return cosine;
+}
 
 /* ``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell. */
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop)
@@ -470,7 +502,7 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
         {
             if (j != i)
             {
-                pushed += interaction__region_influence(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+                pushed += analyn__region_influence(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             }
         }
         turn = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
@@ -500,7 +532,7 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
                 if (j != i)
                 {
                     other = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
-                    coupling = interaction__region_influence(work, tables, region, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
+                    coupling = analyn__region_influence(work, tables, region, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
                     (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
                     move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
                 }
@@ -555,7 +587,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
     analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        planes__locate_along_track(work, tables, (*count));
+        frame__locate_along_track(work, tables, (*count));
         node_patches__fill_from_nodes(work, side, (*count));
     }
     return 0;
@@ -654,7 +686,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        node_layout__prepare_regions(work, tables, state, count, enlarge);
+        nodes__prepare_regions(work, tables, state, count, enlarge);
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
         if (!satisfied)
         {
@@ -662,7 +694,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
             (*result_1) = satisfied;
             return 0;
         }
-        if (node_layout__covered(work, count))
+        if (nodes__covered(work, count))
         {
             break;
         }
@@ -680,75 +712,349 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
 }
 
 
-/* ---- From normal/elimination.py; change that one.
+/* ---- From normal/coefficients.py; change that one.
  *
- * Linear equations with two right-hand sides.
+ * Hertz's coefficients and closed-form contact, through a table of exact values, and ANALYN's at nodes.
+ *
+ * With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
+ * sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
+ *
+ *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
+ *     A < B:                 m = L,    n = L q,  r the same
+ *
+ * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
+ *
+ *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
+ *
+ * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
+ * (kernel/binding/fixed_tables.py).
+ *
+ * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
+ * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
+ * blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t
+ * and B_s these two,
+ *
+ *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
+ *
+ * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ *
+ * That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
+ * (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
  */
 
-/* Solve ``size`` equations in place: the two right-hand sides, in the last two columns, become the
- * solutions.
- *
- * Gauss without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
- */
-static inline int64_t elimination__eliminate(array_double_1d work, int64_t size)
+/* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
 {
-    int64_t width;
-    int64_t pair;
-    int64_t k;
-    int64_t first;
-    int64_t second;
-    double inverse;
-    double factor;
-    int64_t j;
-    double next_inverse;
-    int64_t i;
-    int64_t row;
-    double next_factor;
-    int64_t back;
-    int64_t pivot;
-    double one;
-    double other;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    int64_t cell;
+    double u;
+    int64_t at;
+    double high;
+    double result;
+    tables__table_cell(&cell, &u, (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)));
+    at = layout__HERTZ_ROW * cell + column;
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
+    return result;
+}
+
+/* 1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive. */
+static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
+{
+    double ratio;
+    ratio = log(B / A);
+    (*result_0) = coefficients__table_value(tables, table, INT64_C(0), ratio);
+    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), -ratio);
+    (*result_2) = coefficients__table_value(tables, table, INT64_C(6), ratio);
+    return 0;
+}
+
+/* 1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
+ *
+ * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an
+ * upright one again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the
+ * penetration, and at s = 0 a half-length a with (1 + alpha) A a^2 the penetration and n r for its
+ * pressure.  Exact for constant curvatures.
+ *
+ * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
+ * a patch's edge: A slant^2 counts as STEEPEST B at most.
+ */
+static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
+{
+    double cross;
+    double diagonal;
+    double half;
+    double spread;
+    double large;
+    double small;
+    double along;
+    double across;
+    double nr;
+    double cosine;
+    double length;
+    double width;
+    if (A * slant * slant > coefficients__STEEPEST * B)
     {
-        /* two columns at a time, so that every row is read and written once for both */
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
-        inverse = 1.0 / (*cspan_at(&work, first + k));
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
-        {
-            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
-        }
-        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
-        {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
-            factor = (*cspan_at(&work, row + k)) * inverse;
-            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
-            {
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
-            }
-        }
+        slant = sqrt(coefficients__STEEPEST * B / A);
     }
-    for (back = INT64_C(0); back < size; back += INT64_C(1))
+    cross = A * slant;
+    diagonal = B + cross * slant;
+    half = 0.5 * (A - diagonal);
+    spread = sqrt(half * half + cross * cross);
+    large = 0.5 * (A + diagonal) + spread;
+    small = A * B / large;
+    coefficients__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
+    along *= small;
+    across *= large;
+    /* the square of the cosine of the long axis' angle to x; a circle has no long axis */
+    cosine = 0.5;
+    if (spread > coefficients__TILTED * large)
     {
-        k = size - INT64_C(1) - back;
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        one = (*cspan_at(&work, pivot + size));
-        other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
-        for (j = k + INT64_C(1); j < size; j += INT64_C(1))
+        cosine = 0.5 - 0.5 * half / spread;
+    }
+    length = cosine * along + (1.0 - cosine) * across;
+    width = along * across / (cosine * along + (1.0 - cosine) * across);
+    (*result_0) = length / A;
+    (*result_1) = width / B;
+    (*result_2) = nr * sqrt(length / along);
+    return 0;
+}
+
+/* dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
+ * ``slant``; steep ones are taken as there.
+ */
+static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant)
+{
+    double cross;
+    double diagonal;
+    double half;
+    double spread;
+    double large;
+    double small;
+    double along;
+    double across;
+    double nr;
+    double cosine;
+    double length;
+    if (A * slant * slant > coefficients__STEEPEST * B)
+    {
+        slant = sqrt(coefficients__STEEPEST * B / A) * slant / fabs(slant);
+    }
+    cross = A * slant;
+    diagonal = B + cross * slant;
+    half = 0.5 * (A - diagonal);
+    spread = sqrt(half * half + cross * cross);
+    large = 0.5 * (A + diagonal) + spread;
+    small = A * B / large;
+    if (!(spread > coefficients__TILTED * large))
+    {
+        return slant;
+    }
+    coefficients__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
+    along *= small;
+    across *= large;
+    cosine = 0.5 - 0.5 * half / spread;
+    length = cosine * along + (1.0 - cosine) * across;
+    return cross * (across - along) / ((large - small) * length);
+}
+
+/* N / penetration^(3/2) [N/m^1.5].
+ *
+ * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
+ * closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
+ */
+static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus)
+{
+    double one_alpha;
+    double one_beta;
+    double nr;
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
+    return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B));
+}
+
+/* Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width
+ * window h.
+ */
+static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window)
+{
+    double width;
+    double result;
+    width = spacing * (double)(window);
+    result = ((*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)))) / (2.0 * width * width);
+    return result;
+}
+
+/* g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end. */
+static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle)
+{
+    double s;
+    double width;
+    double edge;
+    double result;
+    if ((k >= window) || (k <= -window))
+    {
+        s = spacing * (double)(k);
+        result = (*cspan_at(&work, gaps + INT64_C(128) + k)) / (s * s);
+        return result;
+    }
+    width = spacing * (double)(window);
+    edge = (*cspan_at(&work, gaps + INT64_C(128) + window)) / (width * width);
+    if (k < INT64_C(0))
+    {
+        edge = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / (width * width);
+    }
+    return middle + (edge - middle) * fabs((double)(k)) / (double)(window);
+}
+
+/* sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s. */
+static inline double coefficients__windowed_curvature(double averaged, double secant, double share)
+{
+    double grown;
+    if (averaged < coefficients__WINDOW_FLOOR * secant)
+    {
+        averaged = coefficients__WINDOW_FLOOR * secant;
+    }
+    grown = secant;
+    if (averaged > secant)
+    {
+        grown += coefficients__GROWTH * share * (averaged - secant);
+    }
+    return sqrt(averaged * grown);
+}
+
+/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
+ * window; none below ``least``.
+ */
+static inline int64_t coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least)
+{
+    double spacing;
+    double share;
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    (*secant) = coefficients__secant_curvature(work, gaps, k, spacing, window, middle);
+    if ((*secant) < least)
+    {
+        (*secant) = least;
+    }
+    share = fabs((double)(k)) * spacing / mean;
+    if (share > 1.0)
+    {
+        share = 1.0;
+    }
+    (*B) = coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share);
+    if ((*B) < least)
+    {
+        (*B) = least;
+    }
+    (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
+    if (k < INT64_C(0))
+    {
+        (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
+    }
+    if ((*side) < least)
+    {
+        (*side) = least;
+    }
+    return 0;
+}
+
+/* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its
+ * own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
+ * 0.
+ */
+static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+{
+    int64_t table;
+    bool prepared;
+    double alpha_factor;
+    double beta_factor;
+    double nr_factor;
+    double mean;
+    double middle;
+    int64_t k_end;
+    int64_t k;
+    double A;
+    double least;
+    double B;
+    double secant;
+    double side;
+    double alpha;
+    double beta;
+    double nr;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
+    alpha_factor = 1.0;
+    beta_factor = 1.0;
+    nr_factor = 1.0;
+    if (yawed)
+    {
+        coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
+    }
+    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
+    middle = coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window);
+    if (middle < 0.0)
+    {
+        middle = 0.0;
+    }
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        least = coefficients__FLOOR * A;
+        if (prepared)
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
-            one -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
-            other -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
+            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
+            if (B < least)
+            {
+                B = least;
+            }
+            secant = B;
+            side = B;
         }
-        (*cspan_at(&work, pivot + size)) = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = other / (*cspan_at(&work, pivot + k));
+        else
+        {
+            coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
+        }
+        alpha = coefficients__table_value(tables, table, INT64_C(0), log(secant / A));
+        beta = coefficients__table_value(tables, table, INT64_C(0), log(A / side));
+        nr = coefficients__table_value(tables, table, INT64_C(6), log(B / A));
+        if (yawed)
+        {
+            alpha *= alpha_factor;
+            beta *= beta_factor;
+            nr *= nr_factor;
+        }
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
+        (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
+        (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
     }
     return INT64_C(0);
+}
+
+/* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
+ * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.
+ */
+static inline int64_t coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
+{
+    int64_t table;
+    double B;
+    double alpha;
+    double beta;
+    double nr;
+    double skewed_alpha;
+    double skewed_beta;
+    double skewed_nr;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
+    if (B < coefficients__FLOOR * A)
+    {
+        B = coefficients__FLOOR * A;
+    }
+    coefficients__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
+    coefficients__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
+    (*result_0) = skewed_alpha / alpha;
+    (*result_1) = skewed_beta / beta;
+    (*result_2) = skewed_nr / nr;
+    return 0;
 }
 
 
@@ -782,7 +1088,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     widths__measure_widths(work, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
     width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
-    B = node_coefficients__FLOOR * A;
+    B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
         B = estimate__CEILING * A;
@@ -791,7 +1097,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     {
         B = guess / (width * width);
     }
-    stiffness = hertz__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    stiffness = coefficients__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     return pow((force / stiffness), (2.0 / 3.0));
 }
 
@@ -799,7 +1105,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
 static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
 {
     double result;
-    regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     result = estimate__estimate_penetration(work, tables, state, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;
@@ -824,696 +1130,6 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
-}
-
-
-/* ---- From normal/hertz.py; change that one.
- *
- * Hertz's coefficients and closed-form contact, through a table of exact values.
- *
- * With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
- * sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
- *
- *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
- *     A < B:                 m = L,    n = L q,  r the same
- *
- * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
- *
- *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
- *
- * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
- * (kernel/binding/hertz_table.py).
- */
-
-/* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
-static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
-{
-    int64_t cell;
-    double u;
-    int64_t at;
-    double high;
-    double result;
-    table_cell__table_cell(&cell, &u, (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)));
-    at = layout__HERTZ_ROW * cell + column;
-    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
-    result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
-    return result;
-}
-
-/* 1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive. */
-static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
-{
-    double ratio;
-    ratio = log(B / A);
-    (*result_0) = hertz__table_value(tables, table, INT64_C(0), ratio);
-    (*result_1) = hertz__table_value(tables, table, INT64_C(0), -ratio);
-    (*result_2) = hertz__table_value(tables, table, INT64_C(6), ratio);
-    return 0;
-}
-
-/* 1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
- *
- * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an
- * upright one again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the
- * penetration, and at s = 0 a half-length a with (1 + alpha) A a^2 the penetration and n r for its
- * pressure.  Exact for constant curvatures.
- *
- * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
- * a patch's edge: A slant^2 counts as STEEPEST B at most.
- */
-static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
-{
-    double cross;
-    double diagonal;
-    double half;
-    double spread;
-    double large;
-    double small;
-    double along;
-    double across;
-    double nr;
-    double cosine;
-    double length;
-    double width;
-    if (A * slant * slant > hertz__STEEPEST * B)
-    {
-        slant = sqrt(hertz__STEEPEST * B / A);
-    }
-    cross = A * slant;
-    diagonal = B + cross * slant;
-    half = 0.5 * (A - diagonal);
-    spread = sqrt(half * half + cross * cross);
-    large = 0.5 * (A + diagonal) + spread;
-    small = A * B / large;
-    hertz__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
-    along *= small;
-    across *= large;
-    /* the square of the cosine of the long axis' angle to x; a circle has no long axis */
-    cosine = 0.5;
-    if (spread > hertz__TILTED * large)
-    {
-        cosine = 0.5 - 0.5 * half / spread;
-    }
-    length = cosine * along + (1.0 - cosine) * across;
-    width = along * across / (cosine * along + (1.0 - cosine) * across);
-    (*result_0) = length / A;
-    (*result_1) = width / B;
-    (*result_2) = nr * sqrt(length / along);
-    return 0;
-}
-
-/* dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
- * ``slant``; steep ones are taken as there.
- */
-static inline double hertz__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant)
-{
-    double cross;
-    double diagonal;
-    double half;
-    double spread;
-    double large;
-    double small;
-    double along;
-    double across;
-    double nr;
-    double cosine;
-    double length;
-    if (A * slant * slant > hertz__STEEPEST * B)
-    {
-        slant = sqrt(hertz__STEEPEST * B / A) * slant / fabs(slant);
-    }
-    cross = A * slant;
-    diagonal = B + cross * slant;
-    half = 0.5 * (A - diagonal);
-    spread = sqrt(half * half + cross * cross);
-    large = 0.5 * (A + diagonal) + spread;
-    small = A * B / large;
-    if (!(spread > hertz__TILTED * large))
-    {
-        return slant;
-    }
-    hertz__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
-    along *= small;
-    across *= large;
-    cosine = 0.5 - 0.5 * half / spread;
-    length = cosine * along + (1.0 - cosine) * across;
-    return cross * (across - along) / ((large - small) * length);
-}
-
-/* N / penetration^(3/2) [N/m^1.5].
- *
- * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
- * closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
- */
-static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus)
-{
-    double one_alpha;
-    double one_beta;
-    double nr;
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
-    return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B));
-}
-
-
-/* ---- From normal/hertz_contact.py; change that one.
- *
- * Hertz's contact of one side in closed form: one elliptic patch with the curvatures at the contact point.
- */
-
-/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
- * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
- *
- * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
- */
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
-{
-    int64_t point;
-    int64_t table;
-    double A;
-    double B;
-    double stiffness;
-    double load;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double half_length;
-    double half_width;
-    int64_t patch;
-    double pressure;
-    planes__locate_along_track(work, tables, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    if (!(B > node_coefficients__FLOOR * A))
-    {
-        B = node_coefficients__FLOOR * A;
-    }
-    stiffness = hertz__hertz_stiffness(tables, table, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        (*penetration) = pow((force / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
-    }
-    load = stiffness * (*penetration) * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
-    half_length = sqrt((*penetration) / (one_alpha * A));
-    half_width = sqrt((*penetration) / (one_beta * B));
-    filling__clear_patches(work, side);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    filling__add_load(work, patch, INT64_C(0), load, 0.0);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    filling__finish_patch(work, side);
-    filling__finish_patches(work, side);
-    (*result_1) = INT64_C(1);
-    (*result_2) = 1;
-    return 0;
-}
-
-
-/* ---- From normal/interaction.py; change that one.
- *
- * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
- * (8.4)).
- */
-
-/* Displacement of region ``one`` under one newton on region ``other`` [m/N].
- *
- * Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and
- * the lead of one region over the other.  The displacement counts by the cosine of the angle between the
- * planes.
- */
-static inline double interaction__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other)
-{
-    double distance;
-    double lead;
-    double squares;
-    double apart;
-    double result;
-    distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
-    lead = interaction__region_lead(work, one, other);
-    squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
-    apart = sqrt(distance * distance + lead * lead + interaction__ELONGATED * squares);
-    result = 1.0 / (M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * apart);
-    result *= interaction__planes_cosine(work, one, other);
-    return result;
-}
-
-/* How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their
- * planes form an angle of less than 15 degrees.
- *
- * A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
- * ... 3 mm in 10, the lead is left out: the upright patches (docs/method.md, section 9) do without it, and
- * the half-space agrees better.
- */
-static inline double interaction__region_lead(array_double_1d work, int64_t one, int64_t other)
-{
-    double lead;
-    lead = 0.0;
-    if (interaction__planes_cosine(work, one, other) < interaction__INCLINED)
-    {
-        lead = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
-    }
-    return lead;
-}
-
-/* Cosine of the angle between the planes of two regions [-]; 1 in one plane, not below 0. */
-static inline double interaction__planes_cosine(array_double_1d work, int64_t one, int64_t other)
-{
-    double cosine;
-    cosine = 1.0;
-    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
-    {
-        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if (cosine < 0.0)
-        {
-            cosine = 0.0;
-        }
-    }
-    return cosine;
-}
-
-
-/* ---- From normal/mean_normal.py; change that one.
- *
- * The direction along which the force of a region acts, where that is the mean of the rail's normals.
- */
-
-/* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
- * local penetration [m].
- *
- * The nodes lie along the rail.
- */
-static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
-{
-    double arc;
-    double total;
-    double cosines;
-    double sines;
-    int64_t direction;
-    double x;
-    double step;
-    int64_t last;
-    int64_t k;
-    double height;
-    double slope;
-    double cosine;
-    double weight;
-    arc = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
-    total = 0.0;
-    cosines = 0.0;
-    sines = 0.0;
-    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
-    {
-        x = (*cspan_at(&work, region + layout__REGION_RAIL));
-        step = (double)(direction) * (*cspan_at(&work, region + layout__REGION_SPACING));
-        last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
-        if (direction < INT64_C(0))
-        {
-            last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
-        }
-        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
-        {
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
-            cosine = 1.0 / sqrt(1.0 + slope * slope);
-            weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
-            if (weight <= 0.0)
-            {
-                break;
-            }
-            if (k == INT64_C(0))
-            {
-                weight *= 0.5;
-            }
-            total += weight;
-            cosines += weight * cosine;
-            sines += weight * slope * cosine;
-            x = cubic_table__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
-        }
-    }
-    if (total > 0.0)
-    {
-        (*cspan_at(&work, region + layout__REGION_COS)) = cosines / total;
-        (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
-        {
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
-        }
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From normal/node_coefficients.py; change that one.
- *
- * ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
- *
- * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
- * w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
- * behind.  With B_t and B_s these two,
- *
- *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
- *
- * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
- *
- * That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
- * (:mod:`lateral_curvature`), one B in all three places; where it is below FLOOR A it counts as that.
- */
-
-/* Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width
- * window h.
- */
-static inline double node_coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window)
-{
-    double width;
-    double result;
-    width = spacing * (double)(window);
-    result = ((*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)))) / (2.0 * width * width);
-    return result;
-}
-
-/* g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end. */
-static inline double node_coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle)
-{
-    double s;
-    double width;
-    double edge;
-    double result;
-    if ((k >= window) || (k <= -window))
-    {
-        s = spacing * (double)(k);
-        result = (*cspan_at(&work, gaps + INT64_C(128) + k)) / (s * s);
-        return result;
-    }
-    width = spacing * (double)(window);
-    edge = (*cspan_at(&work, gaps + INT64_C(128) + window)) / (width * width);
-    if (k < INT64_C(0))
-    {
-        edge = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / (width * width);
-    }
-    return middle + (edge - middle) * fabs((double)(k)) / (double)(window);
-}
-
-/* sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s. */
-static inline double node_coefficients__windowed_curvature(double averaged, double secant, double share)
-{
-    double grown;
-    if (averaged < node_coefficients__WINDOW_FLOOR * secant)
-    {
-        averaged = node_coefficients__WINDOW_FLOOR * secant;
-    }
-    grown = secant;
-    if (averaged > secant)
-    {
-        grown += node_coefficients__GROWTH * share * (averaged - secant);
-    }
-    return sqrt(averaged * grown);
-}
-
-/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
- * window; none below ``least``.
- */
-static inline int64_t node_coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least)
-{
-    double spacing;
-    double share;
-    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*secant) = node_coefficients__secant_curvature(work, gaps, k, spacing, window, middle);
-    if ((*secant) < least)
-    {
-        (*secant) = least;
-    }
-    share = fabs((double)(k)) * spacing / mean;
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    (*B) = node_coefficients__windowed_curvature(node_coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share);
-    if ((*B) < least)
-    {
-        (*B) = least;
-    }
-    (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
-    if (k < INT64_C(0))
-    {
-        (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
-    }
-    if ((*side) < least)
-    {
-        (*side) = least;
-    }
-    return 0;
-}
-
-/* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its
- * own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
- * 0.
- */
-static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
-{
-    int64_t table;
-    bool prepared;
-    double alpha_factor;
-    double beta_factor;
-    double nr_factor;
-    double mean;
-    double middle;
-    int64_t k_end;
-    int64_t k;
-    double A;
-    double least;
-    double B;
-    double secant;
-    double side;
-    double alpha;
-    double beta;
-    double nr;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
-    alpha_factor = 1.0;
-    beta_factor = 1.0;
-    nr_factor = 1.0;
-    if (yawed)
-    {
-        node_coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
-    }
-    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    middle = node_coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window);
-    if (middle < 0.0)
-    {
-        middle = 0.0;
-    }
-    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
-    {
-        A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        least = node_coefficients__FLOOR * A;
-        if (prepared)
-        {
-            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            if (B < least)
-            {
-                B = least;
-            }
-            secant = B;
-            side = B;
-        }
-        else
-        {
-            node_coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
-        }
-        alpha = hertz__table_value(tables, table, INT64_C(0), log(secant / A));
-        beta = hertz__table_value(tables, table, INT64_C(0), log(A / side));
-        nr = hertz__table_value(tables, table, INT64_C(6), log(B / A));
-        if (yawed)
-        {
-            alpha *= alpha_factor;
-            beta *= beta_factor;
-            nr *= nr_factor;
-        }
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
-        (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
-    }
-    return INT64_C(0);
-}
-
-/* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
- * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.
- */
-static inline int64_t node_coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
-{
-    int64_t table;
-    double B;
-    double alpha;
-    double beta;
-    double nr;
-    double skewed_alpha;
-    double skewed_beta;
-    double skewed_nr;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (B < node_coefficients__FLOOR * A)
-    {
-        B = node_coefficients__FLOOR * A;
-    }
-    hertz__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
-    hertz__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
-    (*result_0) = skewed_alpha / alpha;
-    (*result_1) = skewed_beta / beta;
-    (*result_2) = skewed_nr / nr;
-    return 0;
-}
-
-
-/* ---- From normal/node_layout.py; change that one.
- *
- * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
- * strips are loaded.
- */
-
-/* Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
- * ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
- * curvatures 1 + beta may fall to 1.
- */
-static inline double node_layout__zone_share(array_double_1d tables, double A, double side)
-{
-    double share;
-    if (side < node_coefficients__FLOOR * A)
-    {
-        side = node_coefficients__FLOOR * A;
-    }
-    share = node_layout__SPREAD / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
-    if ((share > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
-    {
-        share = node_layout__COVER;
-    }
-    return share;
-}
-
-/* Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
- * for so many.
- */
-static inline double node_layout__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge)
-{
-    double mean;
-    double widest;
-    double least;
-    double spacing;
-    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
-    {
-        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    }
-    least = node_layout__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    if (mean < least)
-    {
-        mean = least;
-    }
-    spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    if (widest * enlarge > node_layout__WIDEST * spacing)
-    {
-        spacing = widest * enlarge / node_layout__WIDEST;
-    }
-    return spacing;
-}
-
-/* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
-static inline int64_t node_layout__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge)
-{
-    int64_t i;
-    int64_t region;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        planes__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(work, tables, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
-        (*cspan_at(&work, region + layout__REGION_SPACING)) = node_layout__node_spacing(work, tables, region, enlarge);
-        node_layout__prepare_nodes(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
-        planes__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
-    }
-    return INT64_C(0);
-}
-
-/* Nodes and coefficients of a region whose frame is open, up to its local
- * penetration times ``enlarge``.
- */
-static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
-{
-    bool yawed;
-    double reach;
-    double A;
-    double low_reach;
-    double high_reach;
-    yawed = contact_plane__is_yawed(work);
-    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
-    A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    low_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)));
-    high_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
-    {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
-    }
-    nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
-    nodes__bring_nearer(work, region, nodes);
-    node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
-    {
-        mean_normal__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
-    }
-    (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    return INT64_C(0);
-}
-
-/* Whether no region is loaded at an end of its nodes other than its bound. */
-static inline bool node_layout__covered(array_double_1d work, int64_t count)
-{
-    int64_t i;
-    int64_t region;
-    double low;
-    double high;
-    int64_t ends;
-    bool result;
-    result = 1;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        low = (*cspan_at(&work, region + layout__REGION_LOW));
-        high = (*cspan_at(&work, region + layout__REGION_HIGH));
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            /* a bound that it does not reach is none */
-            if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
-            {
-                low = -regions__BEYOND;
-            }
-            if (high > (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))))
-            {
-                high = regions__BEYOND;
-            }
-        }
-        ends = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i;
-        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= regions__BEYOND))
-        {
-            result = 0;
-        }
-        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))))) && (low <= -regions__BEYOND))
-        {
-            result = 0;
-        }
-    }
-    return result;
 }
 
 
@@ -1806,6 +1422,8 @@ static inline double node_patches__peak_square(double before, double square, dou
  *
  * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
  * interpenetration. So a result depends on the pose alone and is smooth in it.
+ *
+ * They reach as far as the gap says that strips are loaded.
  */
 
 /* Half the width of the window of the lateral curvature, in nodes. */
@@ -1874,7 +1492,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(work, tables);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
     before = nodes__lay_side_nodes(work, tables, state, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
@@ -1889,7 +1507,7 @@ static inline double nodes__turn_cosine(array_double_1d work, array_double_1d ta
     double height;
     double slope;
     double result;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     result = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) / sqrt(1.0 + slope * slope);
     return result;
 }
@@ -1927,14 +1545,14 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     double curvature;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
     separation__separation(gap, rate, &bend, &curvature, work, tables, state, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
-    if ((*gap) < contact_plane__NO_GAP)
+    if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = nodes__turn_cosine(work, tables);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         }
     }
     return 0;
@@ -1975,14 +1593,14 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1
         if ((k == traced) && (!ended))
         {
             nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
-            if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
+            if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
                 traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
                 nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
             }
-            if (gap >= contact_plane__NO_GAP)
+            if (gap >= frame__NO_GAP)
             {
                 ended = 1;
                 nodes__end_region(work, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(direction * k));
@@ -2129,13 +1747,208 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
     return INT64_C(0);
 }
 
+/* Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
+ * ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
+ * curvatures 1 + beta may fall to 1.
+ */
+static inline double nodes__zone_share(array_double_1d tables, double A, double side)
+{
+    double share;
+    if (side < coefficients__FLOOR * A)
+    {
+        side = coefficients__FLOOR * A;
+    }
+    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
+    if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    {
+        share = nodes__COVER;
+    }
+    return share;
+}
+
+/* Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
+ * for so many.
+ */
+static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge)
+{
+    double mean;
+    double widest;
+    double least;
+    double spacing;
+    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
+    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
+    {
+        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    }
+    least = nodes__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    if (mean < least)
+    {
+        mean = least;
+    }
+    spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
+    if (widest * enlarge > nodes__WIDEST * spacing)
+    {
+        spacing = widest * enlarge / nodes__WIDEST;
+    }
+    return spacing;
+}
+
+/* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge)
+{
+    int64_t i;
+    int64_t region;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        frame__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
+        widths__measure_widths(work, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        (*cspan_at(&work, region + layout__REGION_SPACING)) = nodes__node_spacing(work, tables, region, enlarge);
+        nodes__prepare_nodes(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
+        frame__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
+    return INT64_C(0);
+}
+
+/* Nodes and coefficients of a region whose frame is open, up to its local
+ * penetration times ``enlarge``.
+ */
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
+{
+    bool yawed;
+    double reach;
+    double A;
+    double low_reach;
+    double high_reach;
+    yawed = frame__is_yawed(work);
+    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
+    A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    low_reach = reach * nodes__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)));
+    high_reach = reach * nodes__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+    }
+    nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
+    nodes__bring_nearer(work, region, nodes);
+    coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    {
+        patch_places__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+    }
+    (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    return INT64_C(0);
+}
+
+/* Whether no region is loaded at an end of its nodes other than its bound. */
+static inline bool nodes__covered(array_double_1d work, int64_t count)
+{
+    int64_t i;
+    int64_t region;
+    double low;
+    double high;
+    int64_t ends;
+    bool result;
+    result = 1;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        low = (*cspan_at(&work, region + layout__REGION_LOW));
+        high = (*cspan_at(&work, region + layout__REGION_HIGH));
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        {
+            /* a bound that it does not reach is none */
+            if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
+            {
+                low = -frame__BEYOND;
+            }
+            if (high > (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))))
+            {
+                high = frame__BEYOND;
+            }
+        }
+        ends = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i;
+        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= frame__BEYOND))
+        {
+            result = 0;
+        }
+        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))))) && (low <= -frame__BEYOND))
+        {
+            result = 0;
+        }
+    }
+    return result;
+}
+
 
 /* ---- From normal/normal_contact.py; change that one.
  *
  * The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
  *
  * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+ *
+ * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
+
+/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
+ * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
+ *
+ * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+ */
+static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+{
+    int64_t point;
+    int64_t table;
+    double A;
+    double B;
+    double stiffness;
+    double load;
+    double one_alpha;
+    double one_beta;
+    double nr;
+    double half_length;
+    double half_width;
+    int64_t patch;
+    double pressure;
+    frame__locate_along_track(work, tables, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    if (!(B > coefficients__FLOOR * A))
+    {
+        B = coefficients__FLOOR * A;
+    }
+    stiffness = coefficients__hertz_stiffness(tables, table, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        (*penetration) = pow((force / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
+    }
+    load = stiffness * (*penetration) * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
+    half_length = sqrt((*penetration) / (one_alpha * A));
+    half_width = sqrt((*penetration) / (one_beta * B));
+    filling__clear_patches(work, side);
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    filling__add_load(work, patch, INT64_C(0), load, 0.0);
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    filling__finish_patch(work, side);
+    filling__finish_patches(work, side);
+    (*result_1) = INT64_C(1);
+    (*result_2) = 1;
+    return 0;
+}
 
 /* Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
  * [m] if that is a number.
@@ -2148,7 +1961,7 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        hertz_contact__hertz_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
+        normal_contact__hertz_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
@@ -2171,9 +1984,73 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
  * Where the loads of patches act, and along which direction.
  *
  * The rail pushes the wheel along the normal (0, -sin(angle), -cos(angle)): the rail's normal where the load
- * acts, or the mean over a region where that is known (mean_normal.py).  A patch that reaches over the bound
+ * acts, or the mean over a region where that is known (``mean_normal``).  A patch that reaches over the bound
  * between two regions has two normals and two places, one for each.
  */
+
+/* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
+ * local penetration [m].
+ *
+ * The nodes lie along the rail.
+ */
+static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
+{
+    double arc;
+    double total;
+    double cosines;
+    double sines;
+    int64_t direction;
+    double x;
+    double step;
+    int64_t last;
+    int64_t k;
+    double height;
+    double slope;
+    double cosine;
+    double weight;
+    arc = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
+    total = 0.0;
+    cosines = 0.0;
+    sines = 0.0;
+    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
+    {
+        x = (*cspan_at(&work, region + layout__REGION_RAIL));
+        step = (double)(direction) * (*cspan_at(&work, region + layout__REGION_SPACING));
+        last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
+        if (direction < INT64_C(0))
+        {
+            last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
+        }
+        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
+        {
+            tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+            cosine = 1.0 / sqrt(1.0 + slope * slope);
+            weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
+            if (weight <= 0.0)
+            {
+                break;
+            }
+            if (k == INT64_C(0))
+            {
+                weight *= 0.5;
+            }
+            total += weight;
+            cosines += weight * cosine;
+            sines += weight * slope * cosine;
+            x = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
+        }
+    }
+    if (total > 0.0)
+    {
+        (*cspan_at(&work, region + layout__REGION_COS)) = cosines / total;
+        (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        {
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
+        }
+    }
+    return INT64_C(0);
+}
 
 /* Centres of load, normal forces and penetrations of the patches of a side whose regions are solved. */
 static inline int64_t patch_places__place_patches(array_double_1d work, array_double_1d tables, int64_t side)
@@ -2254,7 +2131,7 @@ static inline int64_t patch_places__place_load(array_double_1d work, array_doubl
         away = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + number)) / load - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
     }
     abscissa = patch_places__abscissa_at(work, tables, region, away);
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     normal_cos = 1.0 / sqrt(1.0 + slope * slope);
     normal_sin = slope * normal_cos;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -2277,8 +2154,8 @@ static inline int64_t patch_places__place_load(array_double_1d work, array_doubl
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) += y * force_z - z * force_y;
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) -= x * force_z;
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) += x * force_y;
-    profile_table__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    profile_table__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + away / sqrt(1.0 + wheel_slope * wheel_slope));
+    tables__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    tables__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + away / sqrt(1.0 + wheel_slope * wheel_slope));
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) += load * x;
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) += load * y;
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) += load * z;
@@ -2295,7 +2172,7 @@ static inline double patch_places__abscissa_at(array_double_1d work, array_doubl
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, region + layout__REGION_RAIL)), away);
+        abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, region + layout__REGION_RAIL)), away);
     }
     return abscissa;
 }
@@ -2342,11 +2219,11 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         abscissa = patch_places__abscissa_at(work, tables, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+        tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         rails__on_track(&y, &z, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, height);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
+        tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, layout__TABLES_RADIUS)) + height;
     }
     return INT64_C(0);
@@ -2355,8 +2232,174 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
 
 /* ---- From normal/strip_contact.py; change that one.
  *
- * The contact of one side by strips (docs/method.md, section 9).
+ * The strip model: strips of the rail that press on each other through the elastic half-space
+ * (docs/method.md, section 9).
+ *
+ * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
+ * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One round of
+ *
+ * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
+ *    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
+ *    (strip_pressures),
+ * 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
+ *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
+ *
+ * is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
+ * found.
+ *
+ * The first strips lie where wheel and rail overlap as they are laid.
  */
+
+/* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest)
+{
+    int64_t index;
+    int64_t region;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        frame__enter_plane(work, region, index);
+        strip_contact__measure_zone(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
+        frame__leave_plane(work, region);
+    }
+    return INT64_C(0);
+}
+
+/* The zone of a region whose frame is open; without width where nothing overlaps. */
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest)
+{
+    double depth;
+    double shallow;
+    double level;
+    double bend;
+    double estimate;
+    double high;
+    double low;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    shallow = strip_contact__SHALLOW * deepest;
+    if (shallow > strip_contact__OWN_SHALLOW * depth)
+    {
+        shallow = strip_contact__OWN_SHALLOW * depth;
+    }
+    level = depth - shallow;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
+    if (level > 0.0)
+    {
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
+        bend = (*cspan_at(&work, region + layout__REGION_BEND));
+        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+        {
+            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        }
+        estimate = sqrt(2.0 * level / bend);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        high = widths__zone_width(work, tables, region, state, 1.0, level, estimate);
+        low = widths__zone_width(work, tables, region, state, -1.0, level, high);
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
+    }
+    return INT64_C(0);
+}
+
+/* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+{
+    strip_layout__divide_cells(work, count, wanted);
+    strip_surfaces__trace_strips(work, tables, state, count);
+    strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    strip_surfaces__incline_strips(work, tables);
+    return INT64_C(0);
+}
+
+/* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
+ * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
+ */
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+{
+    double penetration;
+    bool found;
+    int64_t sweep;
+    strip_layout__zone_cells(work, count);
+    strip_contact__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    strip_surfaces__first_lengths(work, tables, count);
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = 0;
+    for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
+    {
+        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, by_penetration);
+        if (!found)
+        {
+            (*result_0) = penetration;
+            (*result_1) = found;
+            return 0;
+        }
+        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, frame__is_yawed(work));
+        strip_lengths__adopt_lengths(work);
+    }
+    strip_layout__strip_cells(work);
+    (*result_0) = penetration;
+    (*result_1) = found;
+    return 0;
+}
+
+/* Strips that are laid by the pressures of the first layout, solved; results as there.
+ *
+ * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
+ * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
+ * alone.
+ */
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+{
+    double penetration;
+    bool found;
+    int64_t sweep_end;
+    int64_t sweep;
+    bool last;
+    bool given;
+    strip_contact__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    strip_surfaces__lengths_before(work, tables);
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = 0;
+    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
+    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
+    {
+        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
+        given = 1;
+        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        {
+            given = by_penetration;
+        }
+        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, given);
+        if (!found)
+        {
+            (*result_0) = penetration;
+            (*result_1) = found;
+            return 0;
+        }
+        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+        {
+            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, frame__is_yawed(work));
+        }
+        if (!last)
+        {
+            strip_lengths__adopt_lengths(work);
+        }
+    }
+    (*result_0) = penetration;
+    (*result_1) = found;
+    return 0;
+}
+
+/* Pressures of the strips as they lie; penetration [m], and whether found. */
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration)
+{
+    strip_surfaces__set_gaps(work);
+    strip_pressures__begin_influences(work);
+    strip_pressures__solve_pressures(result_0, result_1, work, tables, state, force, by_penetration, frame__is_yawed(work));
+    return 0;
+}
 
 /* Fill the patches of a side by strips if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
@@ -2377,7 +2420,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     {
         /* where it is, it has its penetration */
         count = strip_contact__open_zones(work, tables, state);
-        strips__first_layout(&penetration, &satisfied, work, tables, state, count, force, 1);
+        strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, 1);
     }
     else
     {
@@ -2401,7 +2444,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 return 0;
             }
             count = strip_contact__open_zones(work, tables, state);
-            strips__first_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
+            strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
             {
                 break;
@@ -2415,7 +2458,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied)
     {
-        strips__second_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
+        strip_contact__second_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
     }
     if (satisfied)
     {
@@ -2423,7 +2466,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        planes__locate_along_track(work, tables, count);
+        frame__locate_along_track(work, tables, count);
         strip_patches__fill_from_strips(work, tables, side, count);
     }
     (*result_0_0001) = penetration;
@@ -2438,7 +2481,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force)
 {
     (*count) = strip_contact__open_zones(work, tables, state);
-    strips__first_layout(penetration, satisfied, work, tables, state, (*count), force, 0);
+    strip_contact__first_layout(penetration, satisfied, work, tables, state, (*count), force, 0);
     if ((*satisfied))
     {
         strip_patches__add_stiffness(work, tables, (*count));
@@ -2454,327 +2497,8 @@ static inline int64_t strip_contact__open_zones(array_double_1d work, array_doub
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     count = pressed_regions__gather_overlaps(work, tables, state);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_zones__find_zones(work, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_contact__find_zones(work, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
-}
-
-
-/* ---- From normal/strip_edges.py; change that one.
- *
- * Edges of the patches that loaded strips form.
- *
- * Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
- * straight line through the line loads of the last two strips ends.
- */
-
-/* Last strip of the run of loaded strips that begins with strip ``first``. */
-static inline int64_t strip_edges__run_end(array_double_1d work, int64_t count, int64_t first)
-{
-    int64_t last;
-    last = first;
-    while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last + INT64_C(1)) + layout__STRIP_LINE_LOAD)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_JOINED)) == 1.0))
-    {
-        last += INT64_C(1);
-    }
-    return last;
-}
-
-/* Station [m] of the edge beyond strip ``last`` of a run that reaches to ``first`` on the other side. */
-static inline double strip_edges__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward)
-{
-    double station;
-    double limit;
-    int64_t after;
-    int64_t pair;
-    int64_t inner;
-    double fall;
-    double reach;
-    double edge;
-    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    edge = station + 0.5 * (double)(outward) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    if (last != first)
-    {
-        /* no farther than the middle of the next strip, which is not loaded */
-        limit = edge;
-        after = last + outward;
-        pair = last;
-        if (outward < INT64_C(0))
-        {
-            pair = last - INT64_C(1);
-        }
-        if ((after >= INT64_C(0)) && (after < count))
-        {
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
-            {
-                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-            }
-        }
-        inner = last - outward;
-        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        edge = limit;
-        if (fall > 0.0)
-        {
-            reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall * (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
-            if (reach * (double)(outward) < (limit - station) * (double)(outward))
-            {
-                edge = station + reach;
-            }
-        }
-    }
-    return edge;
-}
-
-
-/* ---- From normal/strip_influence.py; change that one.
- *
- * How strips displace each other: Phi of eq. (S2), with the mean over the width close by, eq. (S4).
- */
-
-/* u = sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``. */
-static inline double strip_influence__nearness(double distance, double half_length)
-{
-    return sqrt(distance / (distance + half_length));
-}
-
-/* v = e^2 / (1 + e^2) with e = ``x`` / ``half_length``. */
-static inline double strip_influence__apartness(double x, double half_length)
-{
-    double square;
-    square = x * x;
-    return square / (square + half_length * half_length);
-}
-
-/* The cell that holds ``place``, 0 ... ``count``; the last one has its end too. */
-static inline int64_t strip_influence__cell_at(double place, int64_t count)
-{
-    int64_t cell;
-    cell = (int64_t)(place);
-    if (cell > count - INT64_C(1))
-    {
-        cell = count - INT64_C(1);
-    }
-    return cell;
-}
-
-/* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
- *
- * Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
- * two poses.
- */
-static inline double strip_influence__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v)
-{
-    double place;
-    int64_t cell;
-    double along;
-    int64_t column;
-    double x;
-    double share;
-    int64_t at;
-    int64_t to;
-    double low;
-    double high;
-    place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    along = v * (double)(layout__INFLUENCE_COLUMNS);
-    column = strip_influence__cell_at(along, layout__INFLUENCE_COLUMNS);
-    x = place - (double)(cell);
-    share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
-    to = at + layout__INFLUENCE_COLUMN;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
-    return low + share * (high - low);
-}
-
-/* The same at v = 0. */
-static inline double strip_influence__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u)
-{
-    double place;
-    int64_t cell;
-    double x;
-    int64_t at;
-    double result;
-    place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = strip_influence__cell_at(place, layout__INFLUENCE_CELLS);
-    x = place - (double)(cell);
-    at = first + INT64_C(3) * cell;
-    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    return result;
-}
-
-/* The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]. */
-static inline double strip_influence__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v)
-{
-    double half;
-    double near;
-    double far;
-    double inner;
-    double outer;
-    double result;
-    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near = distance - half;
-    if (near < 0.0)
-    {
-        near = 0.0;
-    }
-    far = distance + half;
-    inner = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, strip_influence__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
-    outer = strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, strip_influence__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
-    result = (far * outer - near * inner) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    return result;
-}
-
-/* No influence is known yet of strips that lie as they do now. */
-static inline int64_t strip_influence__begin_influences(array_double_1d work)
-{
-    int64_t j_end;
-    int64_t j;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
-    }
-    return INT64_C(0);
-}
-
-/* Find the influences of all loaded strips of which they are not known yet. */
-static inline int64_t strip_influence__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed)
-{
-    int64_t j_end;
-    int64_t j;
-    int64_t strip;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
-        {
-            strip_influence__fill_column(tables, work, table, j, yawed);
-            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* F_ij of strip j for all i: displacement of the middle of i for y_j = 1, along the normal of i; eqs.
- * (S2), (S4).
- */
-static inline int64_t strip_influence__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed)
-{
-    int64_t other;
-    double x;
-    double half;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double u;
-    double influence;
-    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
-    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (i != j)
-        {
-            u = strip_influence__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), half);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
-            if (yawed)
-            {
-                influence = strip_influence__influence_at(tables, table, INT64_C(0), u, strip_influence__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
-            }
-            else
-            {
-                /* all middles lie on one line */
-                influence = strip_influence__middle_influence(tables, table, INT64_C(0), u);
-            }
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
-        }
-    }
-    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
-    {
-        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            influence = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_influence__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
-        }
-    }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = strip_influence__nearness(0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), half);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = strip_influence__middle_influence(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
-    return INT64_C(0);
-}
-
-/* What the loaded strips ``first`` ... ``last`` - 1 displace at the place of strip ``i`` and ``x`` [m],
- * along its normal.
- */
-static inline double strip_influence__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last)
-{
-    int64_t near;
-    double cosine;
-    double sine;
-    int64_t j;
-    int64_t other;
-    double v;
-    double total;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    total = 0.0;
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-        {
-            v = strip_influence__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-            total += strip_influence__influence_at(tables, table, INT64_C(0), (*cspan_at(&work, near + j)), v) * (*cspan_at(&work, other + layout__STRIP_Y)) * (cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN)));
-        }
-    }
-    return total;
-}
-
-/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
-static inline double strip_influence__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
-{
-    int64_t count;
-    int64_t strip;
-    double x;
-    int64_t first;
-    int64_t last;
-    int64_t j;
-    int64_t other;
-    double influence;
-    double total;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    total = (*cspan_at(&work, strip + layout__STRIP_Y)) * strip_influence__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), strip_influence__apartness(away, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))));
-    first = i;
-    last = i + INT64_C(1);
-    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
-    {
-        if ((j >= INT64_C(0)) && (j < count))
-        {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            if (j < i)
-            {
-                first = j;
-            }
-            else
-            {
-                last = j + INT64_C(1);
-            }
-            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-            {
-                influence = strip_influence__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_influence__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))));
-                total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
-            }
-        }
-    }
-    total += strip_influence__far_displacement(tables, work, table, i, x, INT64_C(0), first);
-    total += strip_influence__far_displacement(tables, work, table, i, x, last, count);
-    return total;
 }
 
 
@@ -3195,13 +2919,13 @@ static inline double strip_lengths__correct_strip(array_double_1d tables, array_
     away = strip_lengths__TESTED * half;
     own = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
     needed = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-    front = strip_influence__end_displacement(tables, work, table, i, away);
+    front = strip_pressures__end_displacement(tables, work, table, i, away);
     back = front;
     front_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away) - own;
     back_gap = front_gap;
     if (yawed)
     {
-        back = strip_influence__end_displacement(tables, work, table, i, -away);
+        back = strip_pressures__end_displacement(tables, work, table, i, -away);
         back_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
         move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
         if (move > strip_lengths__FARTHEST_MOVE * half)
@@ -3367,7 +3091,67 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
 /* ---- From normal/strip_patches.py; change that one.
  *
  * From corrected strips to patches: each run of loaded strips that touch each other is a patch.
+ *
+ * Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
+ * straight line through the line loads of the last two strips ends.
  */
+
+/* Last strip of the run of loaded strips that begins with strip ``first``. */
+static inline int64_t strip_patches__run_end(array_double_1d work, int64_t count, int64_t first)
+{
+    int64_t last;
+    last = first;
+    while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last + INT64_C(1)) + layout__STRIP_LINE_LOAD)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_JOINED)) == 1.0))
+    {
+        last += INT64_C(1);
+    }
+    return last;
+}
+
+/* Station [m] of the edge beyond strip ``last`` of a run that reaches to ``first`` on the other side. */
+static inline double strip_patches__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward)
+{
+    double station;
+    double limit;
+    int64_t after;
+    int64_t pair;
+    int64_t inner;
+    double fall;
+    double reach;
+    double edge;
+    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    edge = station + 0.5 * (double)(outward) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    if (last != first)
+    {
+        /* no farther than the middle of the next strip, which is not loaded */
+        limit = edge;
+        after = last + outward;
+        pair = last;
+        if (outward < INT64_C(0))
+        {
+            pair = last - INT64_C(1);
+        }
+        if ((after >= INT64_C(0)) && (after < count))
+        {
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
+            {
+                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+            }
+        }
+        inner = last - outward;
+        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        edge = limit;
+        if (fall > 0.0)
+        {
+            reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall * (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
+            if (reach * (double)(outward) < (limit - station) * (double)(outward))
+            {
+                edge = station + reach;
+            }
+        }
+    }
+    return edge;
+}
 
 /* Fill the patches of a side from the runs of loaded strips, which lie in ``count`` regions. */
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count)
@@ -3386,7 +3170,7 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work, arra
         last = first;
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
         {
-            last = strip_edges__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
+            last = strip_patches__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
             strip_patches__fill_run(work, side, first, last);
         }
         first = last + INT64_C(1);
@@ -3411,8 +3195,8 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t side
         strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
         strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
     }
-    start = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
-    stop = strip_edges__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
+    start = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
+    stop = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
     index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
@@ -3733,7 +3517,322 @@ static inline double strip_patches__largest_square(array_double_1d work, int64_t
  *
  * A linear complementarity problem: elimination for the strips that are taken as loaded, then an exchange of
  * those that pull or penetrate, until none does.
+ *
+ * Strips displace each other by Phi of eq. (S2), with the mean over the width close by, eq. (S4).
  */
+
+/* Solve ``size`` equations in place: the two right-hand sides, in the last two columns, become the
+ * solutions.
+ *
+ * Gauss without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
+ */
+static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size)
+{
+    int64_t width;
+    int64_t pair;
+    int64_t k;
+    int64_t first;
+    int64_t second;
+    double inverse;
+    double factor;
+    int64_t j;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
+    double next_factor;
+    int64_t back;
+    int64_t pivot;
+    double one;
+    double other;
+    width = size + INT64_C(2);
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    {
+        /* two columns at a time, so that every row is read and written once for both */
+        k = INT64_C(2) * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        inverse = 1.0 / (*cspan_at(&work, first + k));
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
+        }
+        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        {
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
+            factor = (*cspan_at(&work, row + k)) * inverse;
+            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            {
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+            }
+        }
+    }
+    for (back = INT64_C(0); back < size; back += INT64_C(1))
+    {
+        k = size - INT64_C(1) - back;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        one = (*cspan_at(&work, pivot + size));
+        other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
+        for (j = k + INT64_C(1); j < size; j += INT64_C(1))
+        {
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
+            one -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
+            other -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
+        }
+        (*cspan_at(&work, pivot + size)) = one / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = other / (*cspan_at(&work, pivot + k));
+    }
+    return INT64_C(0);
+}
+
+/* u = sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``. */
+static inline double strip_pressures__nearness(double distance, double half_length)
+{
+    return sqrt(distance / (distance + half_length));
+}
+
+/* v = e^2 / (1 + e^2) with e = ``x`` / ``half_length``. */
+static inline double strip_pressures__apartness(double x, double half_length)
+{
+    double square;
+    square = x * x;
+    return square / (square + half_length * half_length);
+}
+
+/* The cell that holds ``place``, 0 ... ``count``; the last one has its end too. */
+static inline int64_t strip_pressures__cell_at(double place, int64_t count)
+{
+    int64_t cell;
+    cell = (int64_t)(place);
+    if (cell > count - INT64_C(1))
+    {
+        cell = count - INT64_C(1);
+    }
+    return cell;
+}
+
+/* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
+ *
+ * Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
+ * two poses.
+ */
+static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v)
+{
+    double place;
+    int64_t cell;
+    double along;
+    int64_t column;
+    double x;
+    double share;
+    int64_t at;
+    int64_t to;
+    double low;
+    double high;
+    place = u * (double)(layout__INFLUENCE_CELLS);
+    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
+    along = v * (double)(layout__INFLUENCE_COLUMNS);
+    column = strip_pressures__cell_at(along, layout__INFLUENCE_COLUMNS);
+    x = place - (double)(cell);
+    share = along - (double)(column);
+    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
+    to = at + layout__INFLUENCE_COLUMN;
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    return low + share * (high - low);
+}
+
+/* The same at v = 0. */
+static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u)
+{
+    double place;
+    int64_t cell;
+    double x;
+    int64_t at;
+    double result;
+    place = u * (double)(layout__INFLUENCE_CELLS);
+    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    return result;
+}
+
+/* The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]. */
+static inline double strip_pressures__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v)
+{
+    double half;
+    double near;
+    double far;
+    double inner;
+    double outer;
+    double result;
+    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    near = distance - half;
+    if (near < 0.0)
+    {
+        near = 0.0;
+    }
+    far = distance + half;
+    inner = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
+    outer = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
+    result = (far * outer - near * inner) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    return result;
+}
+
+/* No influence is known yet of strips that lie as they do now. */
+static inline int64_t strip_pressures__begin_influences(array_double_1d work)
+{
+    int64_t j_end;
+    int64_t j;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
+    }
+    return INT64_C(0);
+}
+
+/* Find the influences of all loaded strips of which they are not known yet. */
+static inline int64_t strip_pressures__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed)
+{
+    int64_t j_end;
+    int64_t j;
+    int64_t strip;
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
+        {
+            strip_pressures__fill_column(tables, work, table, j, yawed);
+            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* F_ij of strip j for all i: displacement of the middle of i for y_j = 1, along the normal of i; eqs.
+ * (S2), (S4).
+ */
+static inline int64_t strip_pressures__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed)
+{
+    int64_t other;
+    double x;
+    double half;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double u;
+    double influence;
+    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
+    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        if (i != j)
+        {
+            u = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), half);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            if (yawed)
+            {
+                influence = strip_pressures__influence_at(tables, table, INT64_C(0), u, strip_pressures__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
+            }
+            else
+            {
+                /* all middles lie on one line */
+                influence = strip_pressures__middle_influence(tables, table, INT64_C(0), u);
+            }
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+        }
+    }
+    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
+    {
+        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            influence = strip_pressures__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_pressures__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+        }
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = strip_pressures__nearness(0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), half);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = strip_pressures__middle_influence(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
+    return INT64_C(0);
+}
+
+/* What the loaded strips ``first`` ... ``last`` - 1 displace at the place of strip ``i`` and ``x`` [m],
+ * along its normal.
+ */
+static inline double strip_pressures__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last)
+{
+    int64_t near;
+    double cosine;
+    double sine;
+    int64_t j;
+    int64_t other;
+    double v;
+    double total;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
+    total = 0.0;
+    for (j = first; j < last; j += INT64_C(1))
+    {
+        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+        {
+            v = strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+            total += strip_pressures__influence_at(tables, table, INT64_C(0), (*cspan_at(&work, near + j)), v) * (*cspan_at(&work, other + layout__STRIP_Y)) * (cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN)));
+        }
+    }
+    return total;
+}
+
+/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
+static inline double strip_pressures__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
+{
+    int64_t count;
+    int64_t strip;
+    double x;
+    int64_t first;
+    int64_t last;
+    int64_t j;
+    int64_t other;
+    double influence;
+    double total;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
+    total = (*cspan_at(&work, strip + layout__STRIP_Y)) * strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), strip_pressures__apartness(away, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))));
+    first = i;
+    last = i + INT64_C(1);
+    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    {
+        if ((j >= INT64_C(0)) && (j < count))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            if (j < i)
+            {
+                first = j;
+            }
+            else
+            {
+                last = j + INT64_C(1);
+            }
+            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
+            {
+                influence = strip_pressures__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))));
+                total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+            }
+        }
+    }
+    total += strip_pressures__far_displacement(tables, work, table, i, x, INT64_C(0), first);
+    total += strip_pressures__far_displacement(tables, work, table, i, x, last, count);
+    return total;
+}
 
 /* y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
  * ``by_penetration``; the penetration [m], and whether found.
@@ -3748,10 +3847,10 @@ static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* r
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_STRIP_COUNT)) += 1.0;
-        strip_influence__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
+        strip_pressures__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         size = strip_pressures__list_loaded(work);
         strip_pressures__write_equations(work, size);
-        elimination__eliminate(work, size);
+        strip_pressures__eliminate(work, size);
         if (!by_penetration)
         {
             penetration = strip_pressures__equilibrium_penetration(work, tables, size, force);
@@ -3930,7 +4029,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        planes__enter_plane(work, region, index);
+        frame__enter_plane(work, region, index);
         started = 0;
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -3947,7 +4046,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
                 strip_surfaces__trace_strip(work, tables, state, region, strip);
             }
         }
-        planes__leave_plane(work, region);
+        frame__leave_plane(work, region);
     }
     return INT64_C(0);
 }
@@ -3963,20 +4062,20 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
     double slope;
     separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -contact_plane__NO_GAP;
-    if (gap < contact_plane__NO_GAP)
+    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
+    if (gap < frame__NO_GAP)
     {
         (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
         (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
     (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
     (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
     (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    if (contact_plane__is_yawed(work))
+    if (frame__is_yawed(work))
     {
         (*cspan_at(&work, strip + layout__STRIP_X)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
     }
@@ -4077,7 +4176,7 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, doub
     {
         y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     }
-    profile_table__height_slope(&z, &slope, tables, wheel, y);
+    tables__height_slope(&z, &slope, tables, wheel, y);
     return z;
 }
 
@@ -4100,7 +4199,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         across = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
+        tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
         before = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
         after = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
         mean = bend;
@@ -4109,7 +4208,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
         {
             mean = (before + after - 2.0 * z) / square;
         }
-        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
+        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
         (*cspan_at(&work, strip + layout__STRIP_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
     }
@@ -4154,15 +4253,15 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
         low = strip_surfaces__zone_curvature(depth, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
         high = strip_surfaces__zone_curvature(depth, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, A);
         B = sqrt(low * high);
-        hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+        coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
         lean = 0.0;
-        low_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
-        high_beta = hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
-        if (contact_plane__is_yawed(work))
+        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
+        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
+        if (frame__is_yawed(work))
         {
             slant = strip_surfaces__ridge_slant(work, index);
-            hertz__skewed_coefficients(&alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
-            lean = hertz__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
+            coefficients__skewed_coefficients(&alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
+            lean = coefficients__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
             low_beta *= beta / one_beta;
             high_beta *= beta / one_beta;
             one_alpha = alpha;
@@ -4173,7 +4272,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
             if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
             {
-                if (contact_plane__is_yawed(work))
+                if (frame__is_yawed(work))
                 {
                     overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
                     if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
@@ -4189,7 +4288,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
                 }
                 strip_surfaces__first_length(work, strip, depth, one_alpha, beta);
                 farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = touching__limited(lean * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - middle), farthest);
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited(lean * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - middle), farthest);
             }
         }
     }
@@ -4280,7 +4379,7 @@ static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (contact_plane__is_yawed(work))
+        if (frame__is_yawed(work))
         {
             strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
         }
@@ -4302,268 +4401,4 @@ static inline int64_t strip_surfaces__set_gaps(array_double_1d work)
         (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
     }
     return INT64_C(0);
-}
-
-
-/* ---- From normal/strip_zones.py; change that one.
- *
- * Where wheel and rail overlap as they are laid: there the first strips lie.
- */
-
-/* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
-static inline int64_t strip_zones__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest)
-{
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        planes__enter_plane(work, region, index);
-        strip_zones__measure_zone(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
-        planes__leave_plane(work, region);
-    }
-    return INT64_C(0);
-}
-
-/* The zone of a region whose frame is open; without width where nothing overlaps. */
-static inline int64_t strip_zones__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest)
-{
-    double depth;
-    double shallow;
-    double level;
-    double bend;
-    double estimate;
-    double high;
-    double low;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow = strip_zones__SHALLOW * deepest;
-    if (shallow > strip_zones__OWN_SHALLOW * depth)
-    {
-        shallow = strip_zones__OWN_SHALLOW * depth;
-    }
-    level = depth - shallow;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    if (level > 0.0)
-    {
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend = (*cspan_at(&work, region + layout__REGION_BEND));
-        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-        {
-            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        }
-        estimate = sqrt(2.0 * level / bend);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        high = zone_width__zone_width(work, tables, region, state, 1.0, level, estimate);
-        low = zone_width__zone_width(work, tables, region, state, -1.0, level, high);
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
-    }
-    return INT64_C(0);
-}
-
-
-/* ---- From normal/strips.py; change that one.
- *
- * The strip model: strips of the rail that press on each other through the elastic half-space
- * (docs/method.md, section 9).
- *
- * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
- * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One round of
- *
- * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
- *    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
- *    (strip_influence),
- * 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
- *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
- *
- * is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
- * found.
- */
-
-/* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
-static inline int64_t strips__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
-{
-    strip_layout__divide_cells(work, count, wanted);
-    strip_surfaces__trace_strips(work, tables, state, count);
-    strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    strip_surfaces__incline_strips(work, tables);
-    return INT64_C(0);
-}
-
-/* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
- * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
- */
-static inline int64_t strips__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
-{
-    double penetration;
-    bool found;
-    int64_t sweep;
-    strip_layout__zone_cells(work, count);
-    strips__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    strip_surfaces__first_lengths(work, tables, count);
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    for (sweep = INT64_C(0); sweep < strips__FIRST_SWEEPS; sweep += INT64_C(1))
-    {
-        strips__solve_strips(&penetration, &found, work, tables, state, force, by_penetration);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = found;
-            return 0;
-        }
-        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, contact_plane__is_yawed(work));
-        strip_lengths__adopt_lengths(work);
-    }
-    strip_layout__strip_cells(work);
-    (*result_0) = penetration;
-    (*result_1) = found;
-    return 0;
-}
-
-/* Strips that are laid by the pressures of the first layout, solved; results as there.
- *
- * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
- * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
- * alone.
- */
-static inline int64_t strips__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
-{
-    double penetration;
-    bool found;
-    int64_t sweep_end;
-    int64_t sweep;
-    bool last;
-    bool given;
-    strips__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    strip_surfaces__lengths_before(work, tables);
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
-    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
-    {
-        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
-        given = 1;
-        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
-        {
-            given = by_penetration;
-        }
-        strips__solve_strips(&penetration, &found, work, tables, state, force, given);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = found;
-            return 0;
-        }
-        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-        {
-            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, contact_plane__is_yawed(work));
-        }
-        if (!last)
-        {
-            strip_lengths__adopt_lengths(work);
-        }
-    }
-    (*result_0) = penetration;
-    (*result_1) = found;
-    return 0;
-}
-
-/* Pressures of the strips as they lie; penetration [m], and whether found. */
-static inline int64_t strips__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration)
-{
-    strip_surfaces__set_gaps(work);
-    strip_influence__begin_influences(work);
-    strip_pressures__solve_pressures(result_0, result_1, work, tables, state, force, by_penetration, contact_plane__is_yawed(work));
-    return 0;
-}
-
-
-/* ---- From normal/widths.py; change that one.
- *
- * How wide the interpenetration of a region is, and the lateral curvatures that follow from it.
- */
-
-/* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
- * both sides that follow from them, and the station its load is thought to act at.
- */
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration)
-{
-    double bend;
-    double low;
-    double high;
-    double grown;
-    double high_reached;
-    double slant;
-    double start;
-    bool yawed;
-    /* the first guess: the gap's own second derivative, as far as it is a usual one */
-    bend = (*cspan_at(&work, region + layout__REGION_BEND));
-    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    low = sqrt(2.0 * local_penetration / bend);
-    high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
-    {
-        grown = sqrt(local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
-        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
-        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
-    }
-    high = zone_width__zone_width(work, tables, region, state, 1.0, local_penetration, high);
-    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
-    slant = 0.0;
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    yawed = contact_plane__is_yawed(work);
-    if (yawed)
-    {
-        slant = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-    }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
-    {
-        low = high;
-    }
-    low = zone_width__zone_width(work, tables, region, state, -1.0, local_penetration, low);
-    if (yawed)
-    {
-        slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
-        {
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-        }
-    }
-    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = widths__side_curvature(high_reached, high, 0.5 * (low + high));
-    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = widths__side_curvature((*cspan_at(&work, region + layout__REGION_REACHED)), low, 0.5 * (low + high));
-    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
-    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * (high - low);
-    return INT64_C(0);
-}
-
-/* g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
- * enlarged where that side is the narrower, up to NARROWER times.
- */
-static inline double widths__side_curvature(double reached, double own, double mean)
-{
-    double ratio;
-    double curvature;
-    curvature = 0.0;
-    if (own > 0.0)
-    {
-        ratio = mean / own;
-        if (ratio > widths__NARROWER)
-        {
-            ratio = widths__NARROWER;
-        }
-        curvature = reached / (own * own) * ratio * ratio;
-    }
-    return curvature;
 }

@@ -15,12 +15,10 @@ static inline int64_t filling__total_patches(array_double_1d work, int64_t side)
 static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side);
 static inline int64_t filling__finish_patches(array_double_1d work, int64_t side);
 
-/* patch/interpolation.py */
-static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
-static inline int64_t interpolation__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
-
 /* patch/outline.py */
+static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
+static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
+static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t totals, int64_t count);
@@ -309,9 +307,15 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
 }
 
 
-/* ---- From patch/interpolation.py; change that one.
+/* ---- From patch/outline.py; change that one.
  *
- * Half-length and pressure of a patch between its strips, by the rule of the model that filled it.
+ * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
+ * to the last.
+ *
+ * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
+ * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
+ *
+ * Half-length and pressure between the strips of a patch follow by the rule of the model that filled it.
  */
 
 /* Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
@@ -320,7 +324,7 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
  * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
  * they can be positive.
  */
-static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
+static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
 {
     int64_t index;
     int64_t region;
@@ -333,7 +337,7 @@ static inline int64_t interpolation__quadratic_at(double* half_length, double* p
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
         if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
-            interpolation__between_strips(half_length, pressure, work, region, own);
+            outline__between_strips(half_length, pressure, work, region, own);
         }
     }
     return 0;
@@ -342,7 +346,7 @@ static inline int64_t interpolation__quadratic_at(double* half_length, double* p
 /* Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three
  * strips that the cell's quadratic goes through; zeros where the region is not loaded.
  */
-static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own)
+static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own)
 {
     double u;
     bool inside;
@@ -387,7 +391,7 @@ static inline int64_t interpolation__between_strips(double* half_length, double*
 /* Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT;
  * ``after`` is its first strip beyond the station, or the one after its last.
  */
-static inline int64_t interpolation__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station)
+static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station)
 {
     double low;
     double low_length;
@@ -423,16 +427,6 @@ static inline int64_t interpolation__straight_at(double* half_length, double* pr
     (*pressure) = sqrt(low_pressure + share * (high_pressure - low_pressure));
     return 0;
 }
-
-
-/* ---- From patch/outline.py; change that one.
- *
- * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
- * to the last.
- *
- * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
- * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
- */
 
 /* How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them. */
 static inline int64_t outline__row_size(array_double_1d tables)
@@ -520,7 +514,7 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            interpolation__quadratic_at(&half_length, &pressure, work, count, station);
+            outline__quadratic_at(&half_length, &pressure, work, count, station);
         }
         if (half_length > largest)
         {
@@ -570,7 +564,7 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
             {
                 strip += INT64_C(1);
             }
-            interpolation__straight_at(&half_length, &pressure, work, patch, strip, station);
+            outline__straight_at(&half_length, &pressure, work, patch, strip, station);
         }
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;

@@ -2,6 +2,11 @@
 #include "constants.h"
 
 /* search/bounds.py */
+static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y);
+static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node);
+static inline double bounds__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y);
+static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa);
+static inline double bounds__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward);
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa);
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u);
 static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u);
@@ -13,16 +18,6 @@ static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
 static inline double bounds__least_slope(double least, double most, double width, double first, double last);
 static inline bool bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high);
-
-/* search/cells.py */
-static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
-static inline int64_t cells__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
-static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t cells__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
-static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
-static inline int64_t cells__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
-static inline int64_t cells__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
-static inline int64_t cells__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
 
 /* search/first_root.py */
 static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
@@ -42,14 +37,8 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
 static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
 static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
 
-/* search/raster.py */
-static inline int64_t raster__node_below(array_double_1d tables, int64_t scan, double y);
-static inline int64_t raster__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node);
-static inline double raster__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline bool raster__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa);
-static inline double raster__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward);
-
 /* search/roll.py */
+static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
@@ -68,10 +57,15 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
 static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, bool known);
 static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa);
 
-/* search/starts.py */
-static inline int64_t starts__nearest_start(array_double_1d tables, int64_t starts, double shift);
-
 /* search/walk.py */
+static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
+static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
+static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
+static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
+static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
+static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
+static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
 static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, bool listing);
 static inline int64_t walk__search_between(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa, bool listing);
 static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing);
@@ -85,7 +79,120 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
  * its share, and the gap changes by that slope times the outline's stretch 1 +- w. Both second derivatives are
  * bounded in the tables over stretches of 2^k cells. The shares are compared with dense sampling in
  * tests/search/test_rigid.py.
+ *
+ * The raster is the wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
  */
+
+/* The node at or below ``y`` [m]; the second last one at most. */
+static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y)
+{
+    double u;
+    int64_t node;
+    u = (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE));
+    if (!(u > 0.0))
+    {
+        u = 0.0;
+    }
+    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0)
+    {
+        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0;
+    }
+    node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + (int64_t)(u))));
+    if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)) <= y))
+    {
+        node += INT64_C(1);
+    }
+    return node;
+}
+
+/* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``. */
+static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node)
+{
+    int64_t point;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double height;
+    double rail_slope;
+    point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&tables, point + layout__SCAN_NODE_Y)), (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    tables__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    (*result_0) = height - z_track;
+    (*result_1) = rail_slope - outline_slope;
+    return 0;
+}
+
+/* Abscissa on the rail [m] below wheel abscissa ``y`` [m]. */
+static inline double bounds__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y)
+{
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double result;
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
+    result = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    return result;
+}
+
+/* Whether the outline, beside the rail at node ``node``, does not come back above it further
+ * in ``direction``.
+ *
+ * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
+ * reach over a rail that ends below the flange root.
+ */
+static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa)
+{
+    int64_t scan;
+    int64_t rail;
+    double apart;
+    double reach;
+    double sine;
+    double steep;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    apart = abscissa - (*cspan_at(&tables, rail + layout__PROFILE_STOP));
+    if (direction < INT64_C(0))
+    {
+        apart = (*cspan_at(&tables, rail + layout__PROFILE_START)) - abscissa;
+    }
+    reach = 0.0;
+    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    {
+        sine = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
+        steep = (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_SLOPE));
+        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * steep + bounds__REACH_ROLL * fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
+    }
+    return apart > reach;
+}
+
+/* Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
+ * next one ``outward`` (1 or -1).
+ */
+static inline double bounds__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward)
+{
+    double outside;
+    double middle;
+    double inside;
+    inside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+    outside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y));
+    while(fabs(outside - inside) > bounds__END_SHARP)
+    {
+        middle = 0.5 * (inside + outside);
+        if (gap__above_rail(tables, bounds__rail_below(work, tables, at, middle)))
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    return inside;
+}
 
 /* Place of ``abscissa`` [m] in the raster of the rail, in cells. */
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa)
@@ -270,7 +377,7 @@ static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_
     int64_t node;
     double start;
     int64_t result;
-    cell = raster__node_below(tables, scan, y);
+    cell = bounds__node_below(tables, scan, y);
     margin = (1.0 + bounds__WIDEST) * ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + INT64_C(1)) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell + layout__SCAN_NODE_Y)));
     node = cell;
     start = abscissa - margin;
@@ -351,308 +458,6 @@ static inline double bounds__least_slope(double least, double most, double width
         }
     }
     return lowest;
-}
-
-
-/* ---- From search/cells.py; change that one.
- *
- * Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
- *
- * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
- * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
- * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
- * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
- */
-
-/* Fill in a cell that waits to be searched. */
-static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
-{
-    (*cspan_at(&work, cell + layout__CELL_LOW)) = low;
-    (*cspan_at(&work, cell + layout__CELL_HIGH)) = high;
-    (*cspan_at(&work, cell + layout__CELL_GAP_LOW)) = gap_low;
-    (*cspan_at(&work, cell + layout__CELL_GAP_HIGH)) = gap_high;
-    (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) = mismatch_low;
-    (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) = mismatch_high;
-    return INT64_C(0);
-}
-
-/* Abscissae, gaps [m] and mismatches [-] at both ends of a cell. */
-static inline int64_t cells__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
-{
-    (*result_0) = (*cspan_at(&work, cell + layout__CELL_LOW));
-    (*result_1) = (*cspan_at(&work, cell + layout__CELL_HIGH));
-    (*result_2) = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
-    (*result_3) = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
-    (*result_4) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
-    (*result_5) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
-    return 0;
-}
-
-/* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
- * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
- * second derivative [1/m].
- */
-static inline int64_t cells__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last)
-{
-    int64_t at;
-    double gap_low;
-    double mismatch_low;
-    double rate;
-    double gap_high;
-    double mismatch_high;
-    int64_t depth;
-    int64_t cell;
-    double low;
-    double high;
-    double width;
-    double lowest;
-    bool folded;
-    bool turns;
-    bool steady;
-    double y;
-    double gap;
-    double middle;
-    double mismatch;
-    at = side + layout__SIDE_SEARCH_PLACE;
-    gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, first);
-    gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, last);
-    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-    cells__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
-    depth = INT64_C(1);
-    while(depth > INT64_C(0))
-    {
-        depth -= INT64_C(1);
-        cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        cells__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
-        width = high - low;
-        lowest = gap_low;
-        cells__keep_smaller(work, side, low, gap_low);
-        if (gap_high < gap_low)
-        {
-            lowest = gap_high;
-            cells__keep_smaller(work, side, high, gap_high);
-        }
-        if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
-        {
-            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && (!folded);
-            if (turns && ((least > 0.0) || (width <= cells__NARROW)))
-            {
-                cells__refine_minimum(&y, &gap, work, tables, at, state, cell, cells__SHARP);
-                cells__keep_refined(work, side, y, gap, width);
-            }
-            else if ((width > cells__NARROW) && (!steady) && (folded || (!(least > 0.0))))
-            {
-                middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
-                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-                cells__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
-                cells__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
-                depth += INT64_C(2);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* List the local minima below ``side.reach`` in the first cell of the stack, which lies between
- * ``node`` and the next one.
- *
- * abscissa : of its lower end on the rail [m].
- */
-static inline int64_t cells__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa)
-{
-    int64_t at;
-    int64_t scan;
-    int64_t first;
-    double nothing;
-    double most;
-    double least;
-    double stretch;
-    double gap_low;
-    double mismatch_low;
-    double rate;
-    double gap_high;
-    double mismatch_high;
-    int64_t depth;
-    int64_t cell;
-    double low;
-    double high;
-    double width;
-    bool folded;
-    bool turns;
-    double y;
-    double gap;
-    double middle;
-    double mismatch;
-    int64_t other;
-    at = side + layout__SIDE_SEARCH_PLACE;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    first = side + layout__SIDE_SEARCH_STACK;
-    bounds__bend_bounds(&nothing, &most, tables, work, scan, at, node, abscissa);
-    bounds__least_bend(&least, &stretch, tables, work, scan, at, node, INT64_C(0), (*cspan_at(&work, first + layout__CELL_HIGH)) - (*cspan_at(&work, first + layout__CELL_LOW)), bounds__rail_place(tables, scan, abscissa));
-    if (!(stretch < bounds__WIDEST))
-    {
-        /* the outline may be folded there */
-        least = nothing;
-        gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_LOW)));
-        gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_HIGH)));
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-        cells__write_cell(work, first, (*cspan_at(&work, first + layout__CELL_LOW)), (*cspan_at(&work, first + layout__CELL_HIGH)), gap_low, gap_high, mismatch_low, mismatch_high);
-    }
-    depth = INT64_C(1);
-    while(depth > INT64_C(0))
-    {
-        depth -= INT64_C(1);
-        cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        cells__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
-        width = high - low;
-        if (double_min(2, gap_low, gap_high) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
-        {
-            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            if (turns && ((least > 0.0) || (width <= cells__LISTED_ONE)))
-            {
-                cells__refine_minimum(&y, &gap, work, tables, at, state, cell, cells__LISTED_SHARP);
-                if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
-                {
-                    cells__list_minimum(work, side, y, raster__rail_below(work, tables, at, y), direction);
-                }
-            }
-            else if ((width > cells__NARROW) && (folded || (!bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high))))
-            {
-                middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
-                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-                /* the one that comes first in ``direction`` on top */
-                other = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1));
-                if (direction > INT64_C(0))
-                {
-                    cells__write_cell(work, cell, middle, high, gap, gap_high, mismatch, mismatch_high);
-                    cells__write_cell(work, other, low, middle, gap_low, gap, mismatch_low, mismatch);
-                }
-                else
-                {
-                    cells__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
-                    cells__write_cell(work, other, middle, high, gap, gap_high, mismatch, mismatch_high);
-                }
-                depth += INT64_C(2);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` =
- * 1, else at the beginning.
- */
-static inline int64_t cells__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
-{
-    int64_t entry;
-    int64_t candidate;
-    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
-    if (direction < INT64_C(0))
-    {
-        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))) - INT64_C(1);
-    }
-    if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * layout__CANDIDATES))
-    {
-        candidate = side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * entry;
-        (*cspan_at(&work, candidate + layout__CANDIDATE_Y)) = y;
-        (*cspan_at(&work, candidate + layout__CANDIDATE_RAIL)) = abscissa;
-        if (direction < INT64_C(0))
-        {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)(entry);
-        }
-        else
-        {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)(entry);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
- * node beside a contact is none.
- */
-static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
-{
-    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - cells__ROUNDING)
-    {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-    }
-    return INT64_C(0);
-}
-
-/* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
- * ``width`` [m] that has the same gap but for the last bits.
- */
-static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
-{
-    double allowed;
-    allowed = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) < width)
-    {
-        allowed += cells__ROUNDING;
-    }
-    if (gap < allowed)
-    {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-    }
-    return INT64_C(0);
-}
-
-/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell:
- * bracketed Newton's method.
- */
-static inline int64_t cells__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp)
-{
-    double low;
-    double high;
-    int64_t i;
-    double mismatch;
-    double rate;
-    double following;
-    double move;
-    low = (*cspan_at(&work, cell + layout__CELL_LOW));
-    high = (*cspan_at(&work, cell + layout__CELL_HIGH));
-    (*y) = low - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) * (high - low) / ((*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)));
-    (*gap) = 0.0;
-    for (i = INT64_C(0); i < cells__REFINEMENTS; i += INT64_C(1))
-    {
-        gap__vertical_gap(gap, &mismatch, &rate, work, tables, at, (*y));
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        if (mismatch < 0.0)
-        {
-            low = (*y);
-        }
-        else
-        {
-            high = (*y);
-        }
-        following = 0.5 * (low + high);
-        if (rate > 0.0)
-        {
-            move = (-mismatch) / rate;
-            if (fabs(move) < sharp)
-            {
-                break;
-            }
-            if (((*y) + move > low) && ((*y) + move < high))
-            {
-                following = (*y) + move;
-            }
-        }
-        if (fabs(following - (*y)) < sharp)
-        {
-            break;
-        }
-        (*y) = following;
-    }
-    return 0;
 }
 
 
@@ -737,7 +542,7 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
     double steep;
     double yawed;
     scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    lever = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * raster__node_below(tables, scan, y) + layout__SCAN_NODE_LEVER));
+    lever = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * bounds__node_below(tables, scan, y) + layout__SCAN_NODE_LEVER));
     radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
     steep = fabs(lever + arm) / radius;
@@ -775,7 +580,7 @@ static inline bool first_root__is_beside_rail(array_double_1d work, array_double
     beside = 1;
     if (low >= INT64_C(0))
     {
-        reach = raster__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
+        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
         reach += first_root__LEANING_SHARE * (*cspan_at(&tables, layout__TABLES_RADIUS)) * fabs((*cspan_at(&work, at + layout__PLACE_RAIL_SIN)));
         furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y)) + reach;
         if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)))
@@ -873,7 +678,7 @@ static inline double first_root__lever_at(array_double_1d work, array_double_1d 
     double sin_roll;
     double cos_roll;
     double result;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
     arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
@@ -904,7 +709,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
         y = other;
         last = one;
     }
-    node = raster__node_below(tables, scan, y);
+    node = bounds__node_below(tables, scan, y);
     before = first_root__lever_at(work, tables, at, y);
     (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
     (*least) = before;
@@ -1106,123 +911,6 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
 }
 
 
-/* ---- From search/raster.py; change that one.
- *
- * The wheel's outline over the rail, at the nodes of the raster and at the ends of the rail.
- */
-
-/* The node at or below ``y`` [m]; the second last one at most. */
-static inline int64_t raster__node_below(array_double_1d tables, int64_t scan, double y)
-{
-    double u;
-    int64_t node;
-    u = (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE));
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0)
-    {
-        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0;
-    }
-    node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + (int64_t)(u))));
-    if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)) <= y))
-    {
-        node += INT64_C(1);
-    }
-    return node;
-}
-
-/* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``. */
-static inline int64_t raster__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node)
-{
-    int64_t point;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double height;
-    double rail_slope;
-    point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&tables, point + layout__SCAN_NODE_Y)), (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    profile_table__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
-    (*result_0) = height - z_track;
-    (*result_1) = rail_slope - outline_slope;
-    return 0;
-}
-
-/* Abscissa on the rail [m] below wheel abscissa ``y`` [m]. */
-static inline double raster__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y)
-{
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double result;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    result = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    return result;
-}
-
-/* Whether the outline, beside the rail at node ``node``, does not come back above it further
- * in ``direction``.
- *
- * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
- * reach over a rail that ends below the flange root.
- */
-static inline bool raster__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa)
-{
-    int64_t scan;
-    int64_t rail;
-    double apart;
-    double reach;
-    double sine;
-    double steep;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    apart = abscissa - (*cspan_at(&tables, rail + layout__PROFILE_STOP));
-    if (direction < INT64_C(0))
-    {
-        apart = (*cspan_at(&tables, rail + layout__PROFILE_START)) - abscissa;
-    }
-    reach = 0.0;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
-    {
-        sine = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        steep = (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_SLOPE));
-        reach = raster__REACH_SHARE * sine * sine * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * steep + raster__REACH_ROLL * fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
-    }
-    return apart > reach;
-}
-
-/* Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
- * next one ``outward`` (1 or -1).
- */
-static inline double raster__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward)
-{
-    double outside;
-    double middle;
-    double inside;
-    inside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-    outside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y));
-    while(fabs(outside - inside) > raster__END_SHARP)
-    {
-        middle = 0.5 * (inside + outside);
-        if (gap__above_rail(tables, raster__rail_below(work, tables, at, middle)))
-        {
-            inside = middle;
-        }
-        else
-        {
-            outside = middle;
-        }
-    }
-    return inside;
-}
-
-
 /* ---- From search/roll.py; change that one.
  *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
@@ -1234,7 +922,28 @@ static inline double raster__above_rail_end(array_double_1d work, array_double_1
  * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
  * one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
  * smaller minima take over, within a bracket that every search narrows.
+ *
+ * Without a near pose before, the search starts from contacts without yaw, which are known for a row of lateral
+ * shifts.  A start sets the cost and never the answer, which is certified.
  */
+
+/* The row of the table that is nearest to the lateral ``shift`` [m]; -1 if nothing is known there. */
+static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift)
+{
+    double u;
+    int64_t row;
+    u = (shift - (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT))) * (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) + 0.5;
+    if (!((u >= 0.0) && (u < (*cspan_at(&tables, starts + layout__STARTS_COUNT)))))
+    {
+        return -INT64_C(1);
+    }
+    row = (int64_t)(u);
+    if (!((*cspan_at(&tables, starts + layout__STARTS_ROWS + layout__START_SIZE * row + layout__START_KNOWN)) == 1.0))
+    {
+        row = -INT64_C(1);
+    }
+    return row;
+}
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
@@ -1319,9 +1028,9 @@ static inline bool roll__follow_side(array_double_1d work, array_double_1d table
             return 0;
         }
         move = (-mismatch) / rate;
-        if (fabs(move) < cells__SHARP)
+        if (fabs(move) < walk__SHARP)
         {
-            abscissa = raster__rail_below(work, tables, at, y);
+            abscissa = bounds__rail_below(work, tables, at, y);
             if (!gap__above_rail(tables, abscissa))
             {
                 return 0;
@@ -1409,7 +1118,7 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
         move = (-difference) / lever;
         move_left += turn_left * move / rate_left;
         move_right -= turn_right * move / rate_right;
-        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < cells__SHARP) && (fabs(move_right) < cells__SHARP))
+        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < walk__SHARP) && (fabs(move_right) < walk__SHARP))
         {
             if ((!roll__on_profiles(left_tables, left, rail_left)) || (!roll__on_profiles(right_tables, right, rail_right)))
             {
@@ -1638,7 +1347,7 @@ static inline bool smallest_gap__search_side(array_double_1d work, array_double_
     (*cspan_at(&state, layout__STATE_SCAN_COUNT)) += 1.0;
     if (known)
     {
-        cell = raster__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+        cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
         ahead = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
@@ -1648,7 +1357,7 @@ static inline bool smallest_gap__search_side(array_double_1d work, array_double_
             return 1;
         }
         node = cell;
-        raster__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
         if (!gap__above_rail(tables, abscissa))
         {
             node = cell + INT64_C(1);
@@ -1690,7 +1399,7 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
     node = INT64_C(0);
     while(node < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
     {
-        raster__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (gap__above_rail(tables, abscissa))
         {
@@ -1701,7 +1410,7 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
                 found = node;
             }
         }
-        else if ((found >= INT64_C(0)) && raster__leaves_rail(work, tables, at, node, INT64_C(1), abscissa))
+        else if ((found >= INT64_C(0)) && bounds__leaves_rail(work, tables, at, node, INT64_C(1), abscissa))
         {
             return found;
         }
@@ -1720,7 +1429,7 @@ static inline int64_t smallest_gap__list_minima(array_double_1d work, array_doub
     int64_t ahead;
     int64_t behind;
     scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    cell = raster__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)) = reach;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)(layout__CANDIDATES);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)(layout__CANDIDATES - INT64_C(1));
@@ -1740,37 +1449,10 @@ static inline int64_t smallest_gap__list_minima(array_double_1d work, array_doub
 }
 
 
-/* ---- From search/starts.py; change that one.
- *
- * Where the roll search starts without a near pose before: contacts without yaw,
- * known for a row of lateral shifts.
- *
- * A start sets the cost and never the answer, which is certified.
- */
-
-/* The row of the table that is nearest to the lateral ``shift`` [m]; -1 if nothing is known there. */
-static inline int64_t starts__nearest_start(array_double_1d tables, int64_t starts, double shift)
-{
-    double u;
-    int64_t row;
-    u = (shift - (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT))) * (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) + 0.5;
-    if (!((u >= 0.0) && (u < (*cspan_at(&tables, starts + layout__STARTS_COUNT)))))
-    {
-        return -INT64_C(1);
-    }
-    row = (int64_t)(u);
-    if (!((*cspan_at(&tables, starts + layout__STARTS_ROWS + layout__START_SIZE * row + layout__START_KNOWN)) == 1.0))
-    {
-        row = -INT64_C(1);
-    }
-    return row;
-}
-
-
 /* ---- From search/walk.py; change that one.
  *
- * Walk over the raster of the wheel from a node outwards, and search the cells that
- * may hold a minimum of the gap.
+ * Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the
+ * gap.
  *
  * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
  * interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
@@ -1779,7 +1461,304 @@ static inline int64_t starts__nearest_start(array_double_1d tables, int64_t star
  *
  * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
  * nodes, does not look between them, and ends at the first node beside the rail.
+ *
+ * Local minima are sought inside one cell of the raster, or inside the part of it that is above the rail.
+ * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+ * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+ * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+ * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
  */
+
+/* Fill in a cell that waits to be searched. */
+static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
+{
+    (*cspan_at(&work, cell + layout__CELL_LOW)) = low;
+    (*cspan_at(&work, cell + layout__CELL_HIGH)) = high;
+    (*cspan_at(&work, cell + layout__CELL_GAP_LOW)) = gap_low;
+    (*cspan_at(&work, cell + layout__CELL_GAP_HIGH)) = gap_high;
+    (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) = mismatch_low;
+    (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) = mismatch_high;
+    return INT64_C(0);
+}
+
+/* Abscissae, gaps [m] and mismatches [-] at both ends of a cell. */
+static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
+{
+    (*result_0) = (*cspan_at(&work, cell + layout__CELL_LOW));
+    (*result_1) = (*cspan_at(&work, cell + layout__CELL_HIGH));
+    (*result_2) = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
+    (*result_3) = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
+    (*result_4) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
+    (*result_5) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
+    return 0;
+}
+
+/* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
+ * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
+ * second derivative [1/m].
+ */
+static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last)
+{
+    int64_t at;
+    double gap_low;
+    double mismatch_low;
+    double rate;
+    double gap_high;
+    double mismatch_high;
+    int64_t depth;
+    int64_t cell;
+    double low;
+    double high;
+    double width;
+    double lowest;
+    bool folded;
+    bool turns;
+    bool steady;
+    double y;
+    double gap;
+    double middle;
+    double mismatch;
+    at = side + layout__SIDE_SEARCH_PLACE;
+    gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, first);
+    gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, last);
+    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
+    depth = INT64_C(1);
+    while(depth > INT64_C(0))
+    {
+        depth -= INT64_C(1);
+        cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
+        walk__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
+        width = high - low;
+        lowest = gap_low;
+        walk__keep_smaller(work, side, low, gap_low);
+        if (gap_high < gap_low)
+        {
+            lowest = gap_high;
+            walk__keep_smaller(work, side, high, gap_high);
+        }
+        if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
+        {
+            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
+            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
+            steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && (!folded);
+            if (turns && ((least > 0.0) || (width <= walk__NARROW)))
+            {
+                walk__refine_minimum(&y, &gap, work, tables, at, state, cell, walk__SHARP);
+                walk__keep_refined(work, side, y, gap, width);
+            }
+            else if ((width > walk__NARROW) && (!steady) && (folded || (!(least > 0.0))))
+            {
+                middle = 0.5 * (low + high);
+                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
+                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+                walk__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
+                walk__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
+                depth += INT64_C(2);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* List the local minima below ``side.reach`` in the first cell of the stack, which lies between
+ * ``node`` and the next one.
+ *
+ * abscissa : of its lower end on the rail [m].
+ */
+static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa)
+{
+    int64_t at;
+    int64_t scan;
+    int64_t first;
+    double nothing;
+    double most;
+    double least;
+    double stretch;
+    double gap_low;
+    double mismatch_low;
+    double rate;
+    double gap_high;
+    double mismatch_high;
+    int64_t depth;
+    int64_t cell;
+    double low;
+    double high;
+    double width;
+    bool folded;
+    bool turns;
+    double y;
+    double gap;
+    double middle;
+    double mismatch;
+    int64_t other;
+    at = side + layout__SIDE_SEARCH_PLACE;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    first = side + layout__SIDE_SEARCH_STACK;
+    bounds__bend_bounds(&nothing, &most, tables, work, scan, at, node, abscissa);
+    bounds__least_bend(&least, &stretch, tables, work, scan, at, node, INT64_C(0), (*cspan_at(&work, first + layout__CELL_HIGH)) - (*cspan_at(&work, first + layout__CELL_LOW)), bounds__rail_place(tables, scan, abscissa));
+    if (!(stretch < bounds__WIDEST))
+    {
+        /* the outline may be folded there */
+        least = nothing;
+        gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_LOW)));
+        gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_HIGH)));
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+        walk__write_cell(work, first, (*cspan_at(&work, first + layout__CELL_LOW)), (*cspan_at(&work, first + layout__CELL_HIGH)), gap_low, gap_high, mismatch_low, mismatch_high);
+    }
+    depth = INT64_C(1);
+    while(depth > INT64_C(0))
+    {
+        depth -= INT64_C(1);
+        cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
+        walk__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
+        width = high - low;
+        if (double_min(2, gap_low, gap_high) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
+        {
+            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
+            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
+            if (turns && ((least > 0.0) || (width <= walk__LISTED_ONE)))
+            {
+                walk__refine_minimum(&y, &gap, work, tables, at, state, cell, walk__LISTED_SHARP);
+                if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
+                {
+                    walk__list_minimum(work, side, y, bounds__rail_below(work, tables, at, y), direction);
+                }
+            }
+            else if ((width > walk__NARROW) && (folded || (!bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high))))
+            {
+                middle = 0.5 * (low + high);
+                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
+                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+                /* the one that comes first in ``direction`` on top */
+                other = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1));
+                if (direction > INT64_C(0))
+                {
+                    walk__write_cell(work, cell, middle, high, gap, gap_high, mismatch, mismatch_high);
+                    walk__write_cell(work, other, low, middle, gap_low, gap, mismatch_low, mismatch);
+                }
+                else
+                {
+                    walk__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
+                    walk__write_cell(work, other, middle, high, gap, gap_high, mismatch, mismatch_high);
+                }
+                depth += INT64_C(2);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` =
+ * 1, else at the beginning.
+ */
+static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
+{
+    int64_t entry;
+    int64_t candidate;
+    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
+    if (direction < INT64_C(0))
+    {
+        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))) - INT64_C(1);
+    }
+    if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * layout__CANDIDATES))
+    {
+        candidate = side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * entry;
+        (*cspan_at(&work, candidate + layout__CANDIDATE_Y)) = y;
+        (*cspan_at(&work, candidate + layout__CANDIDATE_RAIL)) = abscissa;
+        if (direction < INT64_C(0))
+        {
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)(entry);
+        }
+        else
+        {
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)(entry);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
+ * node beside a contact is none.
+ */
+static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
+{
+    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - walk__ROUNDING)
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+    }
+    return INT64_C(0);
+}
+
+/* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
+ * ``width`` [m] that has the same gap but for the last bits.
+ */
+static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
+{
+    double allowed;
+    allowed = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
+    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) < width)
+    {
+        allowed += walk__ROUNDING;
+    }
+    if (gap < allowed)
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+    }
+    return INT64_C(0);
+}
+
+/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell:
+ * bracketed Newton's method.
+ */
+static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp)
+{
+    double low;
+    double high;
+    int64_t i;
+    double mismatch;
+    double rate;
+    double following;
+    double move;
+    low = (*cspan_at(&work, cell + layout__CELL_LOW));
+    high = (*cspan_at(&work, cell + layout__CELL_HIGH));
+    (*y) = low - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) * (high - low) / ((*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)));
+    (*gap) = 0.0;
+    for (i = INT64_C(0); i < walk__REFINEMENTS; i += INT64_C(1))
+    {
+        gap__vertical_gap(gap, &mismatch, &rate, work, tables, at, (*y));
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        if (mismatch < 0.0)
+        {
+            low = (*y);
+        }
+        else
+        {
+            high = (*y);
+        }
+        following = 0.5 * (low + high);
+        if (rate > 0.0)
+        {
+            move = (-mismatch) / rate;
+            if (fabs(move) < sharp)
+            {
+                break;
+            }
+            if (((*y) + move > low) && ((*y) + move < high))
+            {
+                following = (*y) + move;
+            }
+        }
+        if (fabs(following - (*y)) < sharp)
+        {
+            break;
+        }
+        (*y) = following;
+    }
+    return 0;
+}
 
 /* Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
 static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing)
@@ -1808,7 +1787,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
     beside = 0;
     while((node >= INT64_C(0)) && (node < count))
     {
-        raster__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (!gap__above_rail(tables, abscissa))
         {
@@ -1816,7 +1795,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
             {
                 walk__search_end(work, tables, side, state, node - direction, direction, direction, listing);
             }
-            if (raster__leaves_rail(work, tables, at, node, direction, abscissa))
+            if (bounds__leaves_rail(work, tables, at, node, direction, abscissa))
             {
                 return INT64_C(0);
             }
@@ -1828,7 +1807,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
         {
             if (!listing)
             {
-                cells__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
+                walk__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
             }
             if (beside)
             {
@@ -1838,12 +1817,12 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
             {
                 if (direction > INT64_C(0))
                 {
-                    cells__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
+                    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
                     walk__search_between(work, tables, side, state, node - INT64_C(1), direction, abscissa_before, listing);
                 }
                 else
                 {
-                    cells__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
+                    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
                     walk__search_between(work, tables, side, state, node, direction, abscissa, listing);
                 }
             }
@@ -1889,7 +1868,7 @@ static inline int64_t walk__search_between(array_double_1d work, array_double_1d
     double width;
     if (listing)
     {
-        cells__list_cell(work, tables, side, state, node, direction, abscissa);
+        walk__list_cell(work, tables, side, state, node, direction, abscissa);
     }
     else
     {
@@ -1898,7 +1877,7 @@ static inline int64_t walk__search_between(array_double_1d work, array_double_1d
         width = (*cspan_at(&work, cell + layout__CELL_HIGH)) - (*cspan_at(&work, cell + layout__CELL_LOW));
         if (double_min(2, (*cspan_at(&work, cell + layout__CELL_GAP_LOW)), (*cspan_at(&work, cell + layout__CELL_GAP_HIGH))) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
         {
-            cells__search_cell(work, tables, side, state, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
+            walk__search_cell(work, tables, side, state, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
         }
     }
     return INT64_C(0);
@@ -1928,7 +1907,7 @@ static inline int64_t walk__search_end(array_double_1d work, array_double_1d tab
     double most;
     at = side + layout__SIDE_SEARCH_PLACE;
     inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-    end = raster__above_rail_end(work, tables, at, node, outward);
+    end = bounds__above_rail_end(work, tables, at, node, outward);
     low = double_min(2, inner, end);
     high = double_max(2, inner, end);
     cell = node;
@@ -1943,19 +1922,19 @@ static inline int64_t walk__search_end(array_double_1d work, array_double_1d tab
             gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, low);
             gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, high);
             (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-            cells__write_cell(work, side + layout__SIDE_SEARCH_STACK, low, high, gap_low, gap_high, mismatch_low, mismatch_high);
-            cells__list_cell(work, tables, side, state, cell, direction, raster__rail_below(work, tables, at, low));
+            walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, low, high, gap_low, gap_high, mismatch_low, mismatch_high);
+            walk__list_cell(work, tables, side, state, cell, direction, bounds__rail_below(work, tables, at, low));
         }
         else
         {
-            raster__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-            raster__node_gap(&gap, &mismatch, &beyond, work, tables, at, node + outward);
+            bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+            bounds__node_gap(&gap, &mismatch, &beyond, work, tables, at, node + outward);
             if (beyond < abscissa)
             {
                 abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
             }
             bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), at, cell, abscissa);
-            cells__search_cell(work, tables, side, state, -1.0, most, low, high);
+            walk__search_cell(work, tables, side, state, -1.0, most, low, high);
         }
     }
     return INT64_C(0);

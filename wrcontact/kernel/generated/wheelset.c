@@ -21,10 +21,6 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 
-/* wheelset/contact_point.py */
-static inline bool contact_point__is_end(array_double_1d tables, int64_t profile, double y);
-static inline bool contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
-
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm);
@@ -43,32 +39,12 @@ static inline int64_t forces__add_forces(array_double_1d work, int64_t total, in
 static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing);
 static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d work);
 
-/* wheelset/friction.py */
-static inline double friction__flange_share(array_double_1d tables, double angle);
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding);
-static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor);
-static inline bool friction__is_frictional(double friction, double limit);
-
-/* wheelset/friction_load.py */
-static inline int64_t friction_load__release_friction(array_double_1d work);
-static inline bool friction_load__carries_friction(array_double_1d tables, array_double_1d work);
-static inline double friction_load__carried_share(array_double_1d work, int64_t index);
-static inline bool friction_load__is_load_met(array_double_1d work, double share);
-static inline double friction_load__next_load(array_double_1d work, int64_t support, double share);
-static inline int64_t friction_load__share_load(array_double_1d work);
-
 /* wheelset/leaning.py */
 static inline int64_t leaning__set_reference(array_double_1d work, double height);
 static inline bool leaning__is_leaning(array_double_1d work);
 static inline int64_t leaning__open_reference(array_double_1d work, double height, double found);
 static inline double leaning__next_reference(array_double_1d work, double met);
 static inline bool leaning__note_reference(array_double_1d work, double height, double found, double met);
-
-/* wheelset/moving.py */
-static inline int64_t moving__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
-static inline int64_t moving__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t moving__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 
 /* wheelset/report.py */
 static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
@@ -90,6 +66,12 @@ static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline bool requested__is_rolling(array_double_1d work);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
+static inline int64_t requested__release_friction(array_double_1d work);
+static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
+static inline double requested__carried_share(array_double_1d work, int64_t index);
+static inline bool requested__is_load_met(array_double_1d work, double share);
+static inline double requested__next_load(array_double_1d work, int64_t support, double share);
+static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
 static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
@@ -98,12 +80,21 @@ static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_doub
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
+static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
+static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
+static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations);
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index, double friction);
 static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 
 /* wheelset/side.py */
+static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
@@ -132,12 +123,6 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, arra
 static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
-
-/* wheelset/wear.py */
-static inline double wear__strip_shear(array_double_1d work, int64_t strip);
-static inline double wear__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t wear__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
-static inline int64_t wear__write_wear(array_double_1d work, int64_t side, int64_t stations);
 
 
 /* ---- From wheelset/brackets.py; change that one.
@@ -536,7 +521,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
     if (compliant__is_damped(right_tables))
     {
-        moving__open_given_motion(left_tables, right_tables, work);
+        rubbing__open_given_motion(left_tables, right_tables, work);
     }
     if (!roll__search_both(work, left_tables, right_tables, state, compliant__follow_starts(left_tables, right_tables, work, state)))
     {
@@ -557,7 +542,7 @@ static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, ar
     int64_t row;
     int64_t start;
     bool known;
-    row = starts__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
+    row = roll__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
     known = 0;
     if (row >= INT64_C(0))
     {
@@ -623,7 +608,7 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * approach__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch);
+        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch);
         if (factor < 0.0)
         {
             factor = 0.0;
@@ -653,98 +638,6 @@ static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t p
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) *= factor;
     }
     return INT64_C(0);
-}
-
-
-/* ---- From wheelset/contact_point.py; change that one.
- *
- * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
- * curvatures.
- */
-
-/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
- * with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
- *
- * Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
- * folded.
- */
-static inline bool contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
-{
-    int64_t place;
-    int64_t point;
-    double z;
-    double slope;
-    double y_track;
-    double rail_slope;
-    double mismatch;
-    double sin_phi;
-    double cos_phi;
-    double r;
-    double lateral;
-    double x_track;
-    double pitch_sin;
-    double pitch_cos;
-    double ahead;
-    double z_track;
-    bool touches;
-    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
-    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, place, y, aside, shift);
-    locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    x_track = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-    {
-        rails__pitch_of_frame(&pitch_sin, &pitch_cos, work, place);
-        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
-        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
-        sin_phi = ahead;
-    }
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-    {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
-    }
-    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    regions__measure_contact(work, tables, state);
-    regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
-    {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-    }
-    touches = 1;
-    if (fabs(mismatch) >= contact_point__PARALLEL)
-    {
-        if ((fabs(mismatch) > contact_point__CORNER) || contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
-        {
-            touches = 0;
-        }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
-        {
-            touches = 0;
-        }
-    }
-    return touches;
-}
-
-/* Whether ``y`` [m] is at an end of the profile. */
-static inline bool contact_point__is_end(array_double_1d tables, int64_t profile, double y)
-{
-    bool result;
-    result = (y < (*cspan_at(&tables, profile + layout__PROFILE_START)) + contact_point__AT_END) || (y > (*cspan_at(&tables, profile + layout__PROFILE_STOP)) - contact_point__AT_END);
-    return result;
 }
 
 
@@ -824,7 +717,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
     {
         (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
     }
-    (*move) = touching__limited((*move), elastic__LONGEST / (*cspan_at(&right_tables, layout__TABLES_ARM)));
+    (*move) = pressed__limited((*move), elastic__LONGEST / (*cspan_at(&right_tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
     (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
     return 0;
@@ -905,8 +798,8 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
         }
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = touching__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST);
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = touching__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST);
         height += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
         roll += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
         if (!(fabs(roll) < layout__ROLL_LIMIT))
@@ -1158,7 +1051,7 @@ static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, in
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) += moment_y + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) += moment_z + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
     (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -torque;
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__PATCH_SPEED))) * dissipation__creep_gain(work, patch);
+    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__PATCH_SPEED))) * friction__creep_gain(work, patch);
     (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) + fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
     return INT64_C(0);
 }
@@ -1202,236 +1095,6 @@ static inline int64_t forces__add_vector(array_double_1d work, int64_t total, in
     (*cspan_at(&work, total + INT64_C(1))) += across * (*cspan_at(&work, part + INT64_C(1)));
     (*cspan_at(&work, total + INT64_C(2))) += plane * (*cspan_at(&work, part + INT64_C(2)));
     return INT64_C(0);
-}
-
-
-/* ---- From wheelset/friction.py; change that one.
- *
- * Friction in a patch: its coefficient, and how steeply the creep force begins.
- *
- *     mu = mu_side f(gamma) [(1 - A) exp(-B w) + A]                 Polach (2005)
- *     k  = k0 [alpha + (1 - alpha) / (1 + beta epsilon)]            Spiryagin, Polach, Cole (2013)
- *
- * with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the
- * sliding velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
- * mu N). The flexibility of the contact is divided by k; as the models know it only beside the creepages, these
- * are multiplied by k.
- */
-
-/* Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
- * where that of its side is ``friction``.
- */
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding)
-{
-    double fall;
-    double found;
-    found = friction;
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
-    {
-        found *= 1.0 + ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) - 1.0) * friction__flange_share(tables, angle);
-    }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
-    {
-        fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
-        found *= (1.0 - fall) * exp((-(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE))) * sliding) + fall;
-    }
-    return found;
-}
-
-/* How much of the flange's friction there is at a contact ``angle`` [rad]: 0 on the tread, 1 on the
- * flange, with a smooth slope.
- */
-static inline double friction__flange_share(array_double_1d tables, double angle)
-{
-    double share;
-    share = 0.5 + 0.5 * (angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE))) / friction__FLANGE_RANGE;
-    if (share < 0.0)
-    {
-        share = 0.0;
-    }
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    return share * share * (3.0 - 2.0 * share);
-}
-
-/* k of a patch, by which its creepages are multiplied where wet or dirty rails reduce the initial
- * slope.
- */
-static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch)
-{
-    double initial;
-    double limit;
-    double across;
-    double creepage;
-    double c11;
-    double c22;
-    double c23;
-    double epsilon;
-    double factor;
-    factor = 1.0;
-    if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION)) != 1.0) || ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0))
-    {
-        initial = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION));
-        limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        factor = initial;
-        if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0) && (limit > 0.0))
-        {
-            across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            creepage = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across);
-            shapes__kalker_coefficients(&c11, &c22, &c23, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-            epsilon = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) * friction__PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) * initial * c11 * creepage / (4.0 * limit);
-            factor = initial * (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR));
-            factor = factor + (initial - factor) / (1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon);
-        }
-    }
-    return factor;
-}
-
-/* Multiply the creepages of a patch and of its strips by ``factor``. */
-static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor)
-{
-    int64_t index;
-    int64_t strip;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) *= factor;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) *= factor;
-    }
-    return INT64_C(0);
-}
-
-/* Whether a coefficient of friction is within 0 and ``limit``. */
-static inline bool friction__is_frictional(double friction, double limit)
-{
-    return (friction >= 0.0) && (friction <= limit);
-}
-
-
-/* ---- From wheelset/friction_load.py; change that one.
- *
- * Vertical loads of which friction carries a part.
- *
- * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
- * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
- * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
- * there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
- * left would otherwise show as noise in differences of the outputs.
- */
-
-/* Friction carries nothing yet. */
-static inline int64_t friction_load__release_friction(array_double_1d work)
-{
-    int64_t index;
-    int64_t support;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
-    }
-    return INT64_C(0);
-}
-
-/* Whether a part of the prescribed load is carried by friction. */
-static inline bool friction_load__carries_friction(array_double_1d tables, array_double_1d work)
-{
-    bool carried;
-    carried = 0;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
-    {
-        carried = requested__has_creep_forces(tables, work);
-    }
-    return carried;
-}
-
-/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
-static inline double friction_load__carried_share(array_double_1d work, int64_t index)
-{
-    double wanted;
-    int64_t forces;
-    double share;
-    share = 1.0;
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
-    }
-    return share;
-}
-
-/* Whether neither wheel misses the vertical force that is wanted by more than this ``share``. */
-static inline bool friction_load__is_load_met(array_double_1d work, double share)
-{
-    int64_t index;
-    bool met;
-    met = 1;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        if (fabs(friction_load__carried_share(work, index) - 1.0) > share)
-        {
-            met = 0;
-        }
-    }
-    return met;
-}
-
-/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
-static inline int64_t friction_load__share_load(array_double_1d work)
-{
-    int64_t index;
-    double share;
-    int64_t support;
-    double load;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        share = friction_load__carried_share(work, index);
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        load = friction_load__next_load(work, support, share);
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
-    }
-    return INT64_C(0);
-}
-
-/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
- * wanted: from a secant, or in proportion.
- */
-static inline double friction_load__next_load(array_double_1d work, int64_t support, double share)
-{
-    double load;
-    double change;
-    double slope;
-    double secant;
-    double following;
-    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
-    slope = share / load;
-    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > friction_load__LEAST_CHANGE * load))
-    {
-        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
-        if ((secant > slope / friction_load__LARGEST_CHANGE) && (secant < slope * friction_load__LARGEST_CHANGE))
-        {
-            slope = secant;
-        }
-    }
-    following = load - (share - 1.0) / slope;
-    if (following > load * friction_load__LARGEST_CHANGE)
-    {
-        following = load * friction_load__LARGEST_CHANGE;
-    }
-    if (following < load / friction_load__LARGEST_CHANGE)
-    {
-        following = load / friction_load__LARGEST_CHANGE;
-    }
-    return following;
 }
 
 
@@ -1544,86 +1207,6 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = residual;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) += 1.0;
     return near;
-}
-
-
-/* ---- From wheelset/moving.py; change that one.
- *
- * The motion of a wheelset whose contact is solved: its velocities, and the creepages of its patches.
- */
-
-/* The motion as the inputs give it, at the wheelset's pose. */
-static inline int64_t moving__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
-{
-    int64_t right;
-    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    wheelset_motion__open_motion(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
-    wheelset_motion__open_motion(work, right_tables, right, 1.0);
-    wheelset_motion__open_left_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    wheelset_motion__open_right_rail(work, right_tables, right + layout__MOTION_RAIL);
-    wheelset_motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
-    return INT64_C(0);
-}
-
-/* Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
- * velocity and roll rate are given, otherwise they follow from contact with both rails.
- */
-static inline int64_t moving__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
-{
-    int64_t index;
-    int64_t side;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    if (!requested__is_rolling(work))
-    {
-        return INT64_C(0);
-    }
-    moving__open_given_motion(left_tables, right_tables, work);
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
-    {
-        moving__constrain_side(left_tables, work, state, INT64_C(0));
-        moving__constrain_side(right_tables, work, state, INT64_C(1));
-        contact_rates__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
-    }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-        {
-            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
-            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
-            {
-                creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
- * elastic and carries a load.
- */
-static inline int64_t moving__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
-{
-    int64_t side;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
-    {
-        forces__sum_side(work, side, 0);
-        contact_rates__constrain_loaded(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
-    }
-    else
-    {
-        if (!requested__is_requested(tables, index))
-        {
-            side__touch_side(tables, work, state, index);
-        }
-        contact_rates__constrain_touching(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
-    }
-    return INT64_C(0);
 }
 
 
@@ -1906,6 +1489,14 @@ static inline int64_t report__report_outline(array_double_1d work, int64_t side,
  *
  * What is asked of a step: whether its inputs can be evaluated, each side's force, and which sides are
  * requested.
+ *
+ * Vertical loads of which friction carries a part.
+ *
+ * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
+ * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
+ * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
+ * there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
+ * left would otherwise show as noise in differences of the outputs.
  */
 
 /* VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the
@@ -1932,7 +1523,7 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__INVALID_INPUT;
     }
-    if (!wheelset_motion__is_moderate(work))
+    if (!motion__is_moderate(work))
     {
         status = layout__INVALID_INPUT;
     }
@@ -1971,7 +1562,7 @@ static inline bool requested__is_rail_far(array_double_1d work)
 }
 
 /* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
- * is left to the normal forces (friction_load.py).
+ * is left to the normal forces (requested.py).
  */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
@@ -2006,6 +1597,117 @@ static inline bool requested__has_creep_forces(array_double_1d tables, array_dou
     return result;
 }
 
+/* Friction carries nothing yet. */
+static inline int64_t requested__release_friction(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Whether a part of the prescribed load is carried by friction. */
+static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work)
+{
+    bool carried;
+    carried = 0;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
+    {
+        carried = requested__has_creep_forces(tables, work);
+    }
+    return carried;
+}
+
+/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
+static inline double requested__carried_share(array_double_1d work, int64_t index)
+{
+    double wanted;
+    int64_t forces;
+    double share;
+    share = 1.0;
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
+    }
+    return share;
+}
+
+/* Whether neither wheel misses the vertical force that is wanted by more than this ``share``. */
+static inline bool requested__is_load_met(array_double_1d work, double share)
+{
+    int64_t index;
+    bool met;
+    met = 1;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        if (fabs(requested__carried_share(work, index) - 1.0) > share)
+        {
+            met = 0;
+        }
+    }
+    return met;
+}
+
+/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
+static inline int64_t requested__share_load(array_double_1d work)
+{
+    int64_t index;
+    double share;
+    int64_t support;
+    double load;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        share = requested__carried_share(work, index);
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        load = requested__next_load(work, support, share);
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
+    }
+    return INT64_C(0);
+}
+
+/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
+ * wanted: from a secant, or in proportion.
+ */
+static inline double requested__next_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    double change;
+    double slope;
+    double secant;
+    double following;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
+    slope = share / load;
+    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > requested__LEAST_CHANGE * load))
+    {
+        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
+        if ((secant > slope / requested__LARGEST_CHANGE) && (secant < slope * requested__LARGEST_CHANGE))
+        {
+            slope = secant;
+        }
+    }
+    following = load - (share - 1.0) / slope;
+    if (following > load * requested__LARGEST_CHANGE)
+    {
+        following = load * requested__LARGEST_CHANGE;
+    }
+    if (following < load / requested__LARGEST_CHANGE)
+    {
+        following = load / requested__LARGEST_CHANGE;
+    }
+    return following;
+}
+
 
 /* ---- From wheelset/rigid.py; change that one.
  *
@@ -2027,7 +1729,7 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
     warm = 0;
     if (guess == 0.0)
     {
-        row = starts__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), shift);
+        row = roll__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), shift);
         if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < rigid__NEAR_SHIFT)))
         {
             guess = (*cspan_at(&state, layout__STATE_ROLL));
@@ -2124,9 +1826,208 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
 
 /* ---- From wheelset/rubbing.py; change that one.
  *
- * Creep forces of the patches of a wheelset whose creepages are known: for each patch its friction, then the
- * tangential model.
+ * The rolling of a wheelset whose contact is solved: its velocities, the creepages of its patches, then for
+ * each patch its friction and the tangential model.
+ *
+ * Shear and slip over the outline of a wheel, for models of wear.
+ *
+ * Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
+ *
+ *     shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
+ *
+ * so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
+ * edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
+ * middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
  */
+
+/* The motion as the inputs give it, at the wheelset's pose. */
+static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+{
+    int64_t right;
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    motion__open_motion(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
+    motion__open_motion(work, right_tables, right, 1.0);
+    motion__open_left_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
+    motion__open_right_rail(work, right_tables, right + layout__MOTION_RAIL);
+    motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
+    return INT64_C(0);
+}
+
+/* Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
+ * velocity and roll rate are given, otherwise they follow from contact with both rails.
+ */
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+{
+    int64_t index;
+    int64_t side;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    if (!requested__is_rolling(work))
+    {
+        return INT64_C(0);
+    }
+    rubbing__open_given_motion(left_tables, right_tables, work);
+    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+    {
+        rubbing__constrain_side(left_tables, work, state, INT64_C(0));
+        rubbing__constrain_side(right_tables, work, state, INT64_C(1));
+        motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+    }
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
+            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+            {
+                creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
+ * elastic and carries a load.
+ */
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+{
+    int64_t side;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+    {
+        forces__sum_side(work, side, 0);
+        motion__constrain_loaded(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
+    }
+    else
+    {
+        if (!requested__is_requested(tables, index))
+        {
+            side__touch_side(tables, work, state, index);
+        }
+        motion__constrain_touching(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
+    }
+    return INT64_C(0);
+}
+
+/* Shear [Pa] and slip [m/s] of the patches of a wheel at the ``stations`` of its outline; zero between
+ * patches.
+ */
+static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations)
+{
+    int64_t i;
+    int64_t number_end;
+    int64_t number;
+    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        rubbing__write_patch_wear(work, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    return INT64_C(0);
+}
+
+/* Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips. */
+static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch)
+{
+    int64_t first;
+    int64_t last;
+    double start;
+    double stop;
+    int64_t index;
+    double low_station;
+    double high_station;
+    double low_shear;
+    double low_slip;
+    double high_shear;
+    double high_slip;
+    int64_t j;
+    double station;
+    int64_t strip;
+    double shear;
+    double slip;
+    double share;
+    first = patch + layout__PATCH_STRIPS;
+    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
+    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
+    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
+    index = INT64_C(0);
+    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    low_shear = 0.0;
+    low_slip = 0.0;
+    high_shear = rubbing__strip_shear(work, first);
+    high_slip = rubbing__strip_slip(work, patch, first);
+    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
+    {
+        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
+        if ((station > start) && (station < stop))
+        {
+            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
+            {
+                index += INT64_C(1);
+                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+                low_station = high_station;
+                low_shear = high_shear;
+                low_slip = high_slip;
+                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
+                high_shear = rubbing__strip_shear(work, strip);
+                high_slip = rubbing__strip_slip(work, patch, strip);
+            }
+            shear = high_shear;
+            slip = high_slip;
+            if ((index > INT64_C(0)) && (station < high_station))
+            {
+                share = (high_station - station) / (high_station - low_station);
+                shear += share * (low_shear - shear);
+                slip += share * (low_slip - slip);
+            }
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
+            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Creep force per area of a strip [Pa]. */
+static inline double rubbing__strip_shear(array_double_1d work, int64_t strip)
+{
+    double force;
+    double shear;
+    shear = 0.0;
+    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
+    {
+        force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
+        shear = force / (2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+    }
+    return shear;
+}
+
+/* Friction power of a strip over its creep force [m/s]. */
+static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip)
+{
+    double force;
+    double power;
+    double slip;
+    force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
+    slip = 0.0;
+    if (force > 0.0)
+    {
+        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+        if (power > 0.0)
+        {
+            slip = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power / force;
+        }
+    }
+    return slip;
+}
 
 /* Creep forces of all patches, if there are any. */
 static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
@@ -2157,13 +2058,13 @@ static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d 
         if ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL)
         {
             factor = rubbing__open_rolling(work, tables, patch, friction);
-            tangential_contact__solve_tangential(work, tables, patch);
+            creep_force__solve_creep_force(work, tables, patch);
             rubbing__close_rolling(work, patch, factor);
         }
     }
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        wear__write_wear(work, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
+        rubbing__write_wear(work, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
     }
     return INT64_C(0);
 }
@@ -2204,7 +2105,94 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
 /* ---- From wheelset/side.py; change that one.
  *
  * One side of a wheelset, from where its wheel is to its patches.
+ *
+ * Its contact is described by where it is on wheel, rail and track, its angle, radius and curvatures.
  */
+
+/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
+ * with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
+ *
+ * Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
+ * folded.
+ */
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
+{
+    int64_t place;
+    int64_t point;
+    double z;
+    double slope;
+    double y_track;
+    double rail_slope;
+    double mismatch;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    double x_track;
+    double pitch_sin;
+    double pitch_cos;
+    double ahead;
+    double z_track;
+    bool touches;
+    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+    point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
+    frame__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, place, y, aside, shift);
+    locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    x_track = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        rails__pitch_of_frame(&pitch_sin, &pitch_cos, work, place);
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
+        sin_phi = ahead;
+    }
+    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+    }
+    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
+    frame__measure_contact(work, tables, state);
+    frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    {
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+    }
+    touches = 1;
+    if (fabs(mismatch) >= side__PARALLEL)
+    {
+        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
+        {
+            touches = 0;
+        }
+        if (side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        {
+            touches = 0;
+        }
+    }
+    return touches;
+}
+
+/* Whether ``y`` [m] is at an end of the profile. */
+static inline bool side__is_end(array_double_1d tables, int64_t profile, double y)
+{
+    bool result;
+    result = (y < (*cspan_at(&tables, profile + layout__PROFILE_START)) + side__AT_END) || (y > (*cspan_at(&tables, profile + layout__PROFILE_STOP)) - side__AT_END);
+    return result;
+}
 
 /* A side without load. */
 static inline int64_t side__clear_side(array_double_1d work, int64_t side)
@@ -2246,7 +2234,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
             {
-                sections__cut_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+                cut__cut_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
                 patch_places__place_strips(work, tables, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
@@ -2269,7 +2257,7 @@ static inline int64_t side__touch_side(array_double_1d tables, array_double_1d w
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     side__clear_side(work, side);
     status = layout__UNLOADED;
-    if (!contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))))
+    if (!side__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))))
     {
         status = layout__OFF_PROFILE;
     }
@@ -2324,7 +2312,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     pressed_regions__touching_shift(&aside, &shift, work, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
-    contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
+    side__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
     pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
     return layout__VALID;
 }
@@ -2340,13 +2328,13 @@ static inline int64_t side__find_points(array_double_1d work, array_double_1d ta
     count = INT64_C(0);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
     {
-        count = followed_overlaps__follow_overlaps(work, tables, kept, side + layout__SIDE_SEARCH_PLACE, height);
+        count = deep_points__follow_overlaps(work, tables, kept, side + layout__SIDE_SEARCH_PLACE, height);
     }
     if (count == INT64_C(0))
     {
         count = overlaps__find_overlaps(work, tables, side, state, height);
     }
-    followed_overlaps__keep_points(work, kept);
+    deep_points__keep_points(work, kept);
     return count;
 }
 
@@ -2401,9 +2389,9 @@ static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1
     {
         return status;
     }
-    friction_load__release_friction(work);
+    requested__release_friction(work);
     status = step__solve_wheelset(left_tables, right_tables, work, state);
-    if ((status <= layout__UNLOADED) && friction_load__carries_friction(right_tables, work))
+    if ((status <= layout__UNLOADED) && requested__carries_friction(right_tables, work))
     {
         status = step__solve_with_friction(left_tables, right_tables, work, state, status);
     }
@@ -2422,16 +2410,16 @@ static inline int64_t step__solve_with_friction(array_double_1d left_tables, arr
     int64_t i;
     int64_t outcome;
     outcome = status;
-    for (i = INT64_C(0); i < friction_load__LOAD_PASSES; i += INT64_C(1))
+    for (i = INT64_C(0); i < requested__LOAD_PASSES; i += INT64_C(1))
     {
-        if ((outcome > layout__UNLOADED) || friction_load__is_load_met(work, friction_load__LOAD_MET))
+        if ((outcome > layout__UNLOADED) || requested__is_load_met(work, requested__LOAD_MET))
         {
             break;
         }
-        friction_load__share_load(work);
+        requested__share_load(work);
         outcome = step__solve_wheelset(left_tables, right_tables, work, state);
     }
-    if ((outcome <= layout__UNLOADED) && (!friction_load__is_load_met(work, friction_load__LOAD_MISSED)))
+    if ((outcome <= layout__UNLOADED) && (!requested__is_load_met(work, requested__LOAD_MISSED)))
     {
         outcome = layout__NOT_CONVERGED;
     }
@@ -2445,7 +2433,7 @@ static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_do
     status = step__stand(left_tables, right_tables, work, state);
     if (status <= layout__UNLOADED)
     {
-        moving__move_patches(left_tables, right_tables, work, state);
+        rubbing__move_patches(left_tables, right_tables, work, state);
         rubbing__rub_patches(left_tables, right_tables, work);
         forces__sum_forces(right_tables, work);
     }
@@ -2759,133 +2747,4 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
         }
     }
     return status;
-}
-
-
-/* ---- From wheelset/wear.py; change that one.
- *
- * Shear and slip over the outline of a wheel, for models of wear.
- *
- * Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
- *
- *     shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
- *
- * so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
- * edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
- * middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
- */
-
-/* Shear [Pa] and slip [m/s] of the patches of a wheel at the ``stations`` of its outline; zero between
- * patches.
- */
-static inline int64_t wear__write_wear(array_double_1d work, int64_t side, int64_t stations)
-{
-    int64_t i;
-    int64_t number_end;
-    int64_t number;
-    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
-    {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
-    }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-    {
-        wear__write_patch_wear(work, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
-    }
-    return INT64_C(0);
-}
-
-/* Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips. */
-static inline int64_t wear__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch)
-{
-    int64_t first;
-    int64_t last;
-    double start;
-    double stop;
-    int64_t index;
-    double low_station;
-    double high_station;
-    double low_shear;
-    double low_slip;
-    double high_shear;
-    double high_slip;
-    int64_t j;
-    double station;
-    int64_t strip;
-    double shear;
-    double slip;
-    double share;
-    first = patch + layout__PATCH_STRIPS;
-    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
-    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
-    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
-    index = INT64_C(0);
-    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    low_shear = 0.0;
-    low_slip = 0.0;
-    high_shear = wear__strip_shear(work, first);
-    high_slip = wear__strip_slip(work, patch, first);
-    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
-    {
-        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
-        if ((station > start) && (station < stop))
-        {
-            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
-            {
-                index += INT64_C(1);
-                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-                low_station = high_station;
-                low_shear = high_shear;
-                low_slip = high_slip;
-                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
-                high_shear = wear__strip_shear(work, strip);
-                high_slip = wear__strip_slip(work, patch, strip);
-            }
-            shear = high_shear;
-            slip = high_slip;
-            if ((index > INT64_C(0)) && (station < high_station))
-            {
-                share = (high_station - station) / (high_station - low_station);
-                shear += share * (low_shear - shear);
-                slip += share * (low_slip - slip);
-            }
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Creep force per area of a strip [Pa]. */
-static inline double wear__strip_shear(array_double_1d work, int64_t strip)
-{
-    double force;
-    double shear;
-    shear = 0.0;
-    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
-    {
-        force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
-        shear = force / (2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-    }
-    return shear;
-}
-
-/* Friction power of a strip over its creep force [m/s]. */
-static inline double wear__strip_slip(array_double_1d work, int64_t patch, int64_t strip)
-{
-    double force;
-    double power;
-    double slip;
-    force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
-    slip = 0.0;
-    if (force > 0.0)
-    {
-        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
-        if (power > 0.0)
-        {
-            slip = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power / force;
-        }
-    }
-    return slip;
 }

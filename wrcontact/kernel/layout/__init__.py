@@ -6,20 +6,28 @@
 Inputs and outputs of a step are the records Inputs and Outputs.
 """
 
-from .choices import *  # noqa: F403
+import hashlib
+import sys
+
+from .arrays import *  # noqa: F403
 from .contact import *  # noqa: F403
-from .digest import digest  # noqa: F401
+from .creep import *  # noqa: F403
 from .interface import *  # noqa: F403
-from .marks import inlined, seldom  # noqa: F401
-from .motion import *  # noqa: F403
-from .normal import *  # noqa: F403
-from .offsets import *  # noqa: F403
 from .patch import *  # noqa: F403
-from .record import offset, size  # noqa: F401
+from .record import inlined, offset, seldom, size  # noqa: F401
 from .search import *  # noqa: F403
-from .sizes import *  # noqa: F403
-from .surface import *  # noqa: F403
-from .tables import *  # noqa: F403
-from .tangential import *  # noqa: F403
-from .wheelset import *  # noqa: F403
-from .work import *  # noqa: F403
+
+
+def digest():
+    """Hexadecimal digits that change with every constant and with every field's name, place and type."""
+    layout = sys.modules[__name__]
+    lines = []
+    for name, value in sorted(vars(layout).items()):
+        numbers = value if isinstance(value, tuple) else (value,)
+        if name.isupper() and all(isinstance(number, (int, float)) for number in numbers):
+            lines.append(f"{name} = {value!r}")
+        elif hasattr(value, "_fields_") and hasattr(value, "scalars"):
+            lines += [f"{name}.{field}: {kind.__name__} at {getattr(value, field).offset}"
+                      for field, kind in value._fields_]
+            lines += [f"{name}.{field}: {kind.__name__}" for field, kind in value.scalars.items()]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()

@@ -1,31 +1,38 @@
 """Records and constants that follow from the rows of inputs, parameters and outputs (wrcontact/interface).
 
 The order of the fields is that of the rows. A field has the name of its row, or the
-part of it behind the dot.
+part of it behind the dot.  Beside them, by number: what can be wanted of a step, and its outcome.
 """
 
-from ...interface import inputs as _inputs
-from ...interface import outputs as _outputs
-from ...interface import rows as _rows
-from ...interface import variables as _variables
-from ...interface.friction import FRICTION_LIMIT  # noqa: F401
-from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT  # noqa: F401
-from ...interface.motion import (  # noqa: F401
-    CURVATURE_LIMIT,
-    RATE_LIMIT,
-    SPEED_LIMIT,
-    VELOCITY_LIMIT,
-    WHEEL_LIMIT,
-)
-from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT  # noqa: F401
+from typing import Final
+
+from ...interface import inputs as _inputs, outputs as _outputs, rows as _rows, variables as _variables
+from ...interface.friction import FRICTION_LIMIT
+from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from ...interface.motion import CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT
+from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from ...interface.parameters import KERNEL_PARAMETERS
-from ...interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT  # noqa: F401
+from ...interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT
 from ...methods import FAMILIES as _FAMILIES
 from ...methods.normal import Resolution as _Resolution
 from .record import Float, record, run, size
 
 #: Three components x, y, z.
 Vector = run(len(_rows.AXES))
+
+SIDES_BOTH: Final[int] = 0
+SIDES_LEFT: Final[int] = 1
+SIDES_RIGHT: Final[int] = 2
+DEPTH_GEOMETRY: Final[int] = 0       # contact point, angle, radius, curvatures
+DEPTH_PATCHES: Final[int] = 1        # and penetration, patches
+DEPTH_ALL: Final[int] = 2            # and the outline
+
+# outcome of a step ---------------------------------------------------------------------------------
+VALID: Final[int] = 0
+UNLOADED: Final[int] = 1
+OFF_PROFILE: Final[int] = 2
+NOT_CONVERGED: Final[int] = 3
+INVALID_INPUT: Final[int] = 4
 
 
 def _record_of(name, fields, words):

@@ -3,10 +3,10 @@ were tried, and starts."""
 
 from typing import Final
 
-from .motion import Motion
+from .creep import Motion
 from .patch import Forces, Outline, Patches, PatchTotals
 from .record import OPEN, Float, To, record, run, size
-from .surface import Place
+from .contact import Place
 
 SCAN_LIMIT: Final[int] = 400         # nodes of the raster over a wheel
 EXPONENTS: Final[int] = 6            # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster

@@ -23,12 +23,12 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
 
 void wrcontact_cut_patch(array_double_1d workspace)
 {
-    sections__cut_patch(workspace, layout__WORK_PATCH);
+    cut__cut_patch(workspace, layout__WORK_PATCH);
 }
 
-void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace)
+void wrcontact_solve_creep_force(array_double_1d tables, array_double_1d workspace)
 {
-    tangential_contact__solve_tangential(workspace, tables, layout__WORK_PATCH);
+    creep_force__solve_creep_force(workspace, tables, layout__WORK_PATCH);
 }
 
 int64_t wrcontact_abi(void)

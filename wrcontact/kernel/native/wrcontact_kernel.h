@@ -39,7 +39,7 @@ WRCONTACT_EXPORT int wrcontact_step_many(const wrcontact_handle *handle, int64_t
 WRCONTACT_EXPORT void wrcontact_cut_patch(array_double_1d workspace);
 
 /* The creep force of the patch by itself in the workspace. */
-WRCONTACT_EXPORT void wrcontact_solve_tangential(array_double_1d tables, array_double_1d workspace);
+WRCONTACT_EXPORT void wrcontact_solve_creep_force(array_double_1d tables, array_double_1d workspace);
 
 /* The fingerprint of the sources this was compiled from; see wrcontact/kernel/binding/files.py. */
 WRCONTACT_EXPORT int64_t wrcontact_abi(void);

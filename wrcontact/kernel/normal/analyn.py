@@ -1,5 +1,5 @@
-"""ANALYN on the nodes of up to three regions: from local penetrations
-to loads, and from a force to penetrations.
+"""ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+force to penetrations.
 
 Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
 
@@ -10,17 +10,21 @@ Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip a
 
 Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
 minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
-interaction.py, docs/method.md).  Where regions have planes of their own (:mod:`planes`), the penetration
+docs/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
 counts by its share along each normal, and a displacement by the cosine of the angle between the two.
 """
 
-from math import fabs
+from math import fabs, pi, sqrt
 from typing import Final
 
 from ..layout import Nodes, NodesOfRegions, Region, Regions, State, Tables
 from ..patch.quadrature import bend_of, cell_part, quadratic_integral
-from .interaction import region_influence
 
+#: Share of the squares of two regions' half-lengths that counts as distance between them.
+ELONGATED: Final[float] = 0.3
+#: Cosine of the angle between two planes, 15 degrees.  Below it the lead of one region over the other counts
+#: as distance.
+INCLINED: Final[float] = 0.9659258262890683
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is satisfied to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
@@ -35,6 +39,46 @@ NEARLY: Final[float] = 1e-3
 CLOSED: Final[float] = 1e-10
 #: The penetration is sought up to this multiple of the first value.
 HIGHEST: Final[float] = 1e3
+
+
+def region_influence(tables: Tables, one: Region, other: Region):
+    """Displacement of region ``one`` under one newton on region ``other`` [m/N].
+
+    Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and
+    the lead of one region over the other.  The displacement counts by the cosine of the angle between the
+    planes.
+    """
+    distance = one.offset + one.middle - other.offset - other.middle
+    lead = region_lead(one, other)
+    squares = one.square + other.square
+    apart = sqrt(distance * distance + lead * lead + ELONGATED * squares)
+    result = 1.0 / (pi * tables.contact_modulus * apart)
+    result *= planes_cosine(one, other)
+    return result
+
+
+def region_lead(one: Region, other: Region):
+    """How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their
+    planes form an angle of less than 15 degrees.
+
+    A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
+    ... 3 mm in 10, the lead is left out: the upright patches (docs/method.md, section 9) do without it, and
+    the half-space agrees better.
+    """
+    lead = 0.0
+    if planes_cosine(one, other) < INCLINED:
+        lead = one.x_track - other.x_track
+    return lead
+
+
+def planes_cosine(one: Region, other: Region):
+    """Cosine of the angle between the planes of two regions [-]; 1 in one plane, not below 0."""
+    cosine = 1.0
+    if one.own or other.own:
+        cosine = one.cos * other.cos + one.sin * other.sin
+        if cosine < 0.0:
+            cosine = 0.0
+    return cosine
 
 
 def clip_to_bound(region: Region, k: int, outward: int, stop: float):

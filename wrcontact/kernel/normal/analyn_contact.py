@@ -12,12 +12,12 @@ from math import isfinite
 from typing import Final
 
 from ..contact.deep_points import keep_deepest
-from ..contact.planes import locate_along_track
+from ..contact.frame import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import REGION_LIMIT, Contact, SideSearch, State, Tables
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
-from .node_layout import covered, prepare_regions
+from .nodes import covered, prepare_regions
 from .node_patches import fill_from_nodes
 
 #: Regions and nodes are laid anew while the estimate was off by more than this factor.

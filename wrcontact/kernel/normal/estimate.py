@@ -3,11 +3,10 @@ result."""
 
 from typing import Final
 
-from ..contact.regions import open_contact_region
+from ..contact.frame import open_contact_region
 from ..layout import Contact, Regions, State, Tables
-from .hertz import hertz_stiffness
-from .node_coefficients import FLOOR
-from .widths import measure_widths
+from .coefficients import FLOOR, hertz_stiffness
+from ..contact.widths import measure_widths
 
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0

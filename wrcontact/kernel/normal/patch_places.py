@@ -1,17 +1,52 @@
 """Where the loads of patches act, and along which direction.
 
 The rail pushes the wheel along the normal (0, -sin(angle), -cos(angle)): the rail's normal where the load
-acts, or the mean over a region where that is known (mean_normal.py).  A patch that reaches over the bound
+acts, or the mean over a region where that is known (``mean_normal``).  A patch that reaches over the bound
 between two regions has two normals and two places, one for each.
 """
 
 from math import atan, sqrt
 
-from ..contact.arc_length import rail_abscissa
-from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Patch, Region,
+from ..contact.curves import rail_abscissa
+from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Nodes, Patch, Region,
                       SideSearch, Tables)
-from ..surface.profile_table import height_slope
-from ..surface.rails import on_track
+from ..surface.rails import on_track, upright_share
+from ..surface.tables import height_slope, read_cubic
+
+
+def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
+    """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
+    local penetration [m].
+
+    The nodes lie along the rail.
+    """
+    arc = read_cubic(tables.rail_arc, region.rail)
+    total = 0.0
+    cosines = 0.0
+    sines = 0.0
+    for direction in range(-1, 2, 2):
+        x = region.rail
+        step = float(direction) * region.spacing
+        last = region.last
+        if direction < 0:
+            last = -region.first
+        for k in range(last + 1):
+            height, slope = height_slope(tables.rail, x)
+            cosine = 1.0 / sqrt(1.0 + slope * slope)
+            weight = nodes.line[direction * k] * (local_penetration - nodes.rise[direction * k])
+            if weight <= 0.0:
+                break
+            if k == 0:
+                weight *= 0.5
+            total += weight
+            cosines += weight * cosine
+            sines += weight * slope * cosine
+            x = read_cubic(tables.rail_at_arc, arc + step * float(k + 1))
+    if total > 0.0:
+        region.cos = cosines / total
+        region.sin = sines / total
+        if tables.load == LOAD_VERTICAL:
+            region.share = upright_share(frame.place, region.cos, region.sin)
 
 
 def place_patches(tables: Tables, contact: Contact, side: SideSearch):

@@ -4,7 +4,7 @@ from math import pi, sqrt
 from typing import Final
 
 from ..layout import InfluenceTable, Strip, StripProblem, Strips, Tables
-from .strip_influence import end_displacement
+from .strip_pressures import end_displacement
 
 #: Displacement and gap are compared in the middle of a strip and at this share of its half-length.
 TESTED: Final[float] = 0.9

@@ -1,4 +1,8 @@
-"""From corrected strips to patches: each run of loaded strips that touch each other is a patch."""
+"""From corrected strips to patches: each run of loaded strips that touch each other is a patch.
+
+Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
+straight line through the line loads of the last two strips ends.
+"""
 
 from math import atan, pi, sqrt
 from typing import Final
@@ -8,10 +12,41 @@ from ..layout import (LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Contact,
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import root_integral
 from ..surface.rails import upright_share
-from .strip_edges import run_edge, run_end
 
 #: Strips of a region that lie closer together than this have no slant [m].
 CLOSE: Final[float] = 1e-6
+
+
+def run_end(strips: Strips, count: int, first: int):
+    """Last strip of the run of loaded strips that begins with strip ``first``."""
+    last = first
+    while last < count - 1 and strips[last + 1].line_load > 0.0 and strips[last].joined:
+        last += 1
+    return last
+
+
+def run_edge(strips: Strips, count: int, last: int, first: int, outward: int):
+    """Station [m] of the edge beyond strip ``last`` of a run that reaches to ``first`` on the other side."""
+    station = strips[last].station
+    edge = station + 0.5 * float(outward) * strips[last].width
+    if last != first:
+        # no farther than the middle of the next strip, which is not loaded
+        limit = edge
+        after = last + outward
+        pair = last
+        if outward < 0:
+            pair = last - 1
+        if after >= 0 and after < count:
+            if strips[pair].joined:
+                limit = strips[after].station
+        inner = last - outward
+        fall = strips[inner].line_load - strips[last].line_load
+        edge = limit
+        if fall > 0.0:
+            reach = strips[last].line_load / fall * (station - strips[inner].station)
+            if reach * float(outward) < (limit - station) * float(outward):
+                edge = station + reach
+    return edge
 
 
 def fill_from_strips(tables: Tables, contact: Contact, side: SideSearch, count: int):

@@ -3,19 +3,18 @@
 from math import log, sqrt
 from typing import Final
 
-from ..contact.contact_plane import NO_GAP, is_yawed
+from ..contact.frame import NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.curves import open_origin
-from ..contact.planes import enter_plane, leave_plane
 from ..contact.separation import separation
-from ..contact.touching import limited
+from ..contact.pressed import limited
 from ..contact.traces import start_traces
 from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, State,
                       Strip, StripProblem, Strips, Tables)
 from ..surface.locus import outline_x
-from ..surface.longitudinal_curvature import longitudinal_curvature
-from ..surface.profile_table import height_slope, height_slope_bend
+from ..surface.curvature import longitudinal_curvature
+from ..surface.tables import height_slope, height_slope_bend
 from ..surface.rails import upright_share
-from .hertz import hertz_coefficients, middle_slant, skewed_coefficients, table_value
+from .coefficients import hertz_coefficients, middle_slant, skewed_coefficients, table_value
 from .strip_layout import length_before
 from .strip_lengths import TESTED, gap_beside, limit_lengths
 

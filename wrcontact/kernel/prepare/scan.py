@@ -10,7 +10,7 @@ from typing import Final
 from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Profile, Scan,
                       Tables, offset)
 from ..search.bounds import STEEP, WIDEST
-from ..surface.profile_table import find_piece, height_slope, height_slope_bend
+from ..surface.tables import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
 
 COARSE_STEP: Final[float] = 1.0e-3        # [m]

@@ -5,22 +5,39 @@ The recipe, for each side: place the rail, cut the wheel, compile both, and lay 
 other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
 of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
 (``write_methods``).
+
+Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
+with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
+(binding/rolling_table.py).  The tables follow one after the other.
 """
 
 from math import atan
 from typing import Final
 
-from ..layout import (DEPTH_ALL, LATERAL_LIMIT, PARAMETERS_SIZE, SETTING_COUNT, SIDES_BOTH, START_COUNT,
-                      STARTS_SIZE, STATION_COUNT, TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, Outputs, Profile,
+from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
+                      PARAMETERS_SIZE, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE,
+                      SETTING_COUNT, SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT,
+                      STATION_COUNT, TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, Outputs, Profile, RollingTable,
                       Setup, Tables)
-from .arcs import write_abscissae, write_arcs
-from .fixed import FIXED_HERTZ, FIXED_INFLUENCE, append_fixed, append_rolling
-from .curvatures import write_curvatures
+from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
-from .placement import highest_point, inner_face, keep_around_top, turn_zones
 from .scan import TOO_WIDE, write_scan
-from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES
+from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, highest_point, inner_face,
+                    keep_around_top, turn_zones)
 
+FIXED_HERTZ: Final[int] = 0
+FIXED_INFLUENCE: Final[int] = 1
+FIXED_ROLLING: Final[int] = 2
+FIXED_COUNT: Final[int] = 3
+
+#: Poisson's ratios of Kalker's table (binding/kalker_table.py).
+LOW_RATIO: Final[float] = 0.0
+MIDDLE_RATIO: Final[float] = 0.25
+HIGH_RATIO: Final[float] = 0.5
+#: Poisson's ratios of the corrections; below and above they are those of the ends.
+FIRST_CORRECTION: Final[float] = 0.25
+SECOND_CORRECTION: Final[float] = 0.28
+THIRD_CORRECTION: Final[float] = 0.30
 # what became of it
 PREPARED: Final[int] = 0
 TABLES_FULL: Final[int] = 1          # more room is needed
@@ -37,6 +54,88 @@ REPORT_COUNT: Final[int] = 4
 
 START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
 STARTS_EACH_METRE: Final[float] = 2000.0
+
+
+def fixed_table(fixed: 'float[:]', index: int):
+    """Where table ``index`` begins."""
+    at = FIXED_COUNT
+    for i in range(index):
+        at += int(fixed[i])
+    return at
+
+
+def append_fixed(tables: 'float[:]', at: int, fixed: 'float[:]', index: int):
+    """Copy table ``index`` to ``at``; the offset after it, or FULL."""
+    size = int(fixed[index])
+    if at + size > tables.shape[0]:
+        return FULL
+    first = fixed_table(fixed, index)
+    for i in range(size):
+        tables[at + i] = fixed[first + i]
+    return at + size
+
+
+def parabola_weights(low: float, middle: float, high: float, x: float):
+    """Weights of the values at three nodes in the parabola through them at ``x``."""
+    return ((x - middle) * (x - high) / ((low - middle) * (low - high)),
+            (x - low) * (x - high) / ((middle - low) * (middle - high)),
+            (x - low) * (x - middle) / ((high - low) * (high - middle)))
+
+
+def append_rolling(tables: Tables, at: int, fixed: 'float[:]', poisson_ratio: float):
+    """The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
+    after it, or FULL."""
+    if at + ROLLING_TABLE_SIZE > tables.raw.shape[0]:
+        return FULL
+    first = fixed_table(fixed, FIXED_ROLLING)
+    for i in range(POINT_LIMIT):
+        tables.rolling.cosines[i] = fixed[first + i]
+        tables.rolling.sines[i] = fixed[first + POINT_LIMIT + i]
+    first = write_shapes(tables.rolling, fixed, first + 2 * POINT_LIMIT, poisson_ratio)
+    first = write_reaches(tables.rolling, fixed, first, poisson_ratio)
+    write_corrections(tables.rolling, fixed, first, poisson_ratio)
+    return at + ROLLING_TABLE_SIZE
+
+
+def write_shapes(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them."""
+    size = SHAPE_ROW * SHAPE_CELLS
+    low, middle, high = parabola_weights(LOW_RATIO, MIDDLE_RATIO, HIGH_RATIO, poisson_ratio)
+    for i in range(size):
+        table.shapes[i] = (low * fixed[first + i] + middle * fixed[first + size + i]
+                           + high * fixed[first + 2 * size + i])
+    return first + 3 * size
+
+
+def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them."""
+    size = REACH_ROW * (REACH_CELLS + 1)
+    for i in range(size):
+        weight = poisson_ratio
+        if i // 4 % REACH_COLUMNS == 0:
+            weight = poisson_ratio / (1.0 - poisson_ratio)
+        table.reaches[i] = fixed[first + i] + weight * fixed[first + size + i]
+    return first + 2 * size
+
+
+def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+    """The corrections, parabolas of Poisson's ratio, from ``first`` on."""
+    ratio = poisson_ratio
+    if ratio < FIRST_CORRECTION:
+        ratio = FIRST_CORRECTION
+    if ratio > THIRD_CORRECTION:
+        ratio = THIRD_CORRECTION
+    for i in range(CORRECTION_RADII):
+        table.radii[i] = fixed[first + i]
+    low, middle, high = parabola_weights(FIRST_CORRECTION, SECOND_CORRECTION, THIRD_CORRECTION, ratio)
+    at = first + CORRECTION_RADII
+    for i in range(CORRECTION_SCALES):
+        table.scales[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SCALES + i]
+                           + high * fixed[at + 2 * CORRECTION_SCALES + i])
+    at += 3 * CORRECTION_SCALES
+    for i in range(CORRECTION_SIZE):
+        table.corrections[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SIZE + i]
+                                + high * fixed[at + 2 * CORRECTION_SIZE + i])
 
 
 def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
@@ -118,7 +217,7 @@ def append_starts(tables: Tables, at: int):
 def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', fixed: 'float[:]',
             tables: Tables, work: 'float[:]', report: 'float[:]'):
     """Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
-    depend on the profiles (fixed.py); the workspace holds both definitions and as much again as the
+    depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
     tables."""
     for i in range(SETTING_COUNT):
         tables[i] = 0.0

@@ -4,9 +4,12 @@ upright or turned; in millimetres.
 A definition is one array: how many zones, the length of their rows, then the rows.
 wrcontact/profiles/zones.py has the same zones as objects, and
 wrcontact/profiles/definition.py turns one into the other.
+
+The rail on the track, and the part of a wheel that can be read, are definitions that are turned, shifted and
+cut from these.
 """
 
-from math import fabs, sqrt
+from math import atan, cos, fabs, sin, sqrt
 from typing import Final
 
 DEFINITION_COUNT: Final[int] = 0
@@ -37,6 +40,14 @@ FAMILY_ARC: Final[int] = 1
 TURNED_ITERATIONS: Final[int] = 60
 TURNED_SHARP: Final[float] = 1e-15   # last Newton step to a place on a turned zone, relative
 VERTICAL: Final[float] = 1e-90       # where an arc is as steep as that it ends [mm]
+#: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees. Flanges of wheels
+#: in use are less steep, 75 degrees at most, so no contact lies beyond.
+STEEPEST: Final[float] = 1.3962634015954636
+#: Less of an arc than this is nothing [mm].
+SLIVER: Final[float] = 1e-6
+#: Zones this close meet [mm].
+MEETING: Final[float] = 1e-9
+NO_FACE: Final[float] = -1e300       # in place of a depth: the inner face does not reach it
 
 
 def polynomial_jet(zones: 'float[:]', row: int, t: float):
@@ -122,3 +133,176 @@ def zone_jet(zones: 'float[:]', row: int, y: float):
     else:
         z, slope, bend = upright_jet(zones, row, y)
     return z, slope, bend
+
+
+def turned_slope(zones: 'float[:]', row: int, t: float, angle: float):
+    """What has the sign of the slope of a zone turned by ``angle`` [rad], at ``t`` [mm]."""
+    z, slope, bend = upright_jet(zones, row, t)
+    return sin(angle) + cos(angle) * slope
+
+
+def level_place(zones: 'float[:]', row: int, angle: float):
+    """Where in a zone the turned slope rises through zero [mm], to the last bit; its
+    start if that is nowhere."""
+    low = zones[row + ZONE_START]
+    high = zones[row + ZONE_STOP]
+    if not (turned_slope(zones, row, low, angle) < 0.0 and 0.0 <= turned_slope(zones, row, high, angle)):
+        return low
+    middle = 0.5 * (low + high)
+    while low < middle and middle < high:
+        if turned_slope(zones, row, middle, angle) < 0.0:
+            low = middle
+        else:
+            high = middle
+        middle = 0.5 * (low + high)
+    return middle
+
+
+def highest_point(zones: 'float[:]', base: int, angle: float):
+    """Point (y, z) [mm] of the turned head where it is level and highest."""
+    y_top = 0.0
+    z_top = 0.0
+    cosine = cos(angle)
+    sine = sin(angle)
+    for i in range(int(zones[base + DEFINITION_COUNT])):
+        row = base + DEFINITION_ZONES + i * int(zones[base + DEFINITION_ROW])
+        y, z = turned_point(zones, row, level_place(zones, row, angle), cosine, sine)
+        if i == 0 or z < z_top:
+            y_top = y
+            z_top = z
+    return y_top, z_top
+
+
+def place_at_depth(zones: 'float[:]', row: int, cosine: float, sine: float, depth: float):
+    """Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
+    deep, to the last bit."""
+    low = zones[row + ZONE_START]
+    high = min(zones[row + ZONE_STOP], 0.0)
+    middle = 0.5 * (low + high)
+    while low < middle and middle < high:
+        y, z = turned_point(zones, row, middle, cosine, sine)
+        if depth - z < 0.0:
+            low = middle
+        else:
+            high = middle
+        middle = 0.5 * (low + high)
+    y, z = turned_point(zones, row, middle, cosine, sine)
+    return y
+
+
+def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
+    """Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
+    reached, which is less where the side ends before."""
+    deepest = NO_FACE
+    cosine = cos(angle)
+    sine = sin(angle)
+    i = int(zones[base + DEFINITION_COUNT]) - 1
+    while i >= 0:
+        row = base + DEFINITION_ZONES + i * int(zones[base + DEFINITION_ROW])
+        if zones[row + ZONE_START] < 0.0:
+            y, z = turned_point(zones, row, zones[row + ZONE_START], cosine, sine)
+            if z >= depth:
+                return place_at_depth(zones, row, cosine, sine, depth), depth
+            if z > deepest:
+                deepest = z
+        i -= 1
+    return 0.0, deepest
+
+
+def turn_arc(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift: float):
+    """Turn and shift an arc in place, without what is steeper than STEEPEST; 0 if nothing is left, else 1."""
+    tilt = -zones[row + ZONE_SIDE] * angle
+    y_centre = zones[row + ZONE_ORIGIN]
+    z_centre = zones[row + ZONE_Z_CENTRE]
+    radius = zones[row + ZONE_RADIUS]
+    start = max(zones[row + ZONE_START], y_centre - radius * sin(STEEPEST + tilt))
+    stop = min(zones[row + ZONE_STOP], y_centre + radius * sin(STEEPEST - tilt))
+    if stop - start <= SLIVER:
+        return 0
+    c = cos(angle)
+    s = sin(angle)
+    y_start, z_start = turned_point(zones, row, start, c, s)
+    y_stop, z_stop = turned_point(zones, row, stop, c, s)
+    zones[row + ZONE_START] = y_start + y_shift
+    zones[row + ZONE_STOP] = y_stop + y_shift
+    zones[row + ZONE_ORIGIN] = c * y_centre - s * z_centre + y_shift
+    zones[row + ZONE_Z_CENTRE] = s * y_centre + c * z_centre + z_shift
+    return 1
+
+
+def turn_polynomial(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift: float):
+    """Turn and shift a polynomial in place; 0 if it is steeper than STEEPEST at an end, else 1."""
+    if angle == 0.0 and y_shift == 0.0 and z_shift == 0.0:
+        return 1
+    first = zones[row + ZONE_START]
+    last = zones[row + ZONE_STOP]
+    z, at_first, bend = upright_jet(zones, row, first)
+    z, at_last, bend = upright_jet(zones, row, last)
+    if fabs(atan(at_first) + angle) > STEEPEST or fabs(atan(at_last) + angle) > STEEPEST:
+        return 0
+    c = cos(angle)
+    s = sin(angle)
+    y_first, z = turned_point(zones, row, first, c, s)
+    y_last, z = turned_point(zones, row, last, c, s)
+    zones[row + ZONE_TURNED] = 1.0
+    zones[row + ZONE_COS] = c
+    zones[row + ZONE_SIN] = s
+    zones[row + ZONE_Y_SHIFT] = y_shift
+    zones[row + ZONE_Z_SHIFT] = z_shift
+    zones[row + ZONE_FIRST] = first
+    zones[row + ZONE_LAST] = last
+    zones[row + ZONE_START] = y_first + y_shift
+    zones[row + ZONE_STOP] = y_last + y_shift
+    return 1
+
+
+def turn_zones(zones: 'float[:]', base: int, angle: float, y_shift: float, z_shift: float):
+    """Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
+    how many zones are left."""
+    size = int(zones[base + DEFINITION_ROW])
+    kept = 0
+    for i in range(int(zones[base + DEFINITION_COUNT])):
+        row = base + DEFINITION_ZONES + kept * size
+        for k in range(size):
+            zones[row + k] = zones[base + DEFINITION_ZONES + i * size + k]
+        left = 0
+        if int(zones[row + ZONE_FAMILY]) == FAMILY_ARC:
+            left = turn_arc(zones, row, angle, y_shift, z_shift)
+        else:
+            left = turn_polynomial(zones, row, angle, y_shift, z_shift)
+        kept += left
+    zones[base + DEFINITION_COUNT] = float(kept)
+    return kept
+
+
+def keep_around_top(zones: 'float[:]', base: int):
+    """Keep the unbroken run of zones that holds y = 0; how many that are."""
+    size = int(zones[base + DEFINITION_ROW])
+    count = int(zones[base + DEFINITION_COUNT])
+    first = 0
+    found = False
+    while not found and first < count:
+        row = base + DEFINITION_ZONES + first * size
+        if zones[row + ZONE_START] <= 0.0 and 0.0 <= zones[row + ZONE_STOP]:
+            found = True
+        else:
+            first += 1
+    last = first
+    while (found and first > 0
+           and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size)):
+        first -= 1
+    while (found and last + 1 < count
+           and meets_next(zones, base + DEFINITION_ZONES + last * size, size)):
+        last += 1
+    kept = 0
+    if found:
+        kept = last + 1 - first
+    for k in range(kept * size):
+        zones[base + DEFINITION_ZONES + k] = zones[base + DEFINITION_ZONES + first * size + k]
+    zones[base + DEFINITION_COUNT] = float(kept)
+    return kept
+
+
+def meets_next(zones: 'float[:]', row: int, size: int) -> bool:
+    """Whether the zone ends where the one after it starts."""
+    return fabs(zones[row + ZONE_STOP] - zones[row + size + ZONE_START]) < MEETING

@@ -18,8 +18,8 @@ from typing import Final
 from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Place, RollTrial,
                       RollTrials, Sides, State, Tables)
 from ..surface.locus import around_wheel, outline_point
-from ..surface.profile_table import height_slope
-from .raster import REACH_SHARE, node_below
+from ..surface.tables import height_slope
+from .bounds import REACH_SHARE, node_below
 from .roll import any_roll, follow_side, newton_move, roll_between, search_both, turn_both
 from .smallest_gap import search_side
 

@@ -7,19 +7,22 @@ has several roots, first_root.py decides which is the roll.
 Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
 one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
 smaller minima take over, within a bracket that every search narrows.
+
+Without a near pose before, the search starts from contacts without yaw, which are known for a row of lateral
+shifts.  A start sets the cost and never the answer, which is certified.
 """
 
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Place, SideSearch, Sides, State,
-                      Tables)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Place, SideSearch, Sides, Starts,
+                      State, Tables)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from ..surface.rails import lean_rail, move_rail, turn_leaning
-from .cells import SHARP
-from .raster import rail_below
+from .bounds import rail_below
 from .smallest_gap import search_side
+from .walk import SHARP
 
 #: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a
 #: lever of 0.2 m and more.
@@ -35,6 +38,17 @@ LONGEST_MOVE: Final[float] = 5e-3
 #: A smallest gap is followed to another roll in so many steps, and no farther than this [m].
 FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3
+
+
+def nearest_start(starts: Starts, shift: float):
+    """The row of the table that is nearest to the lateral ``shift`` [m]; -1 if nothing is known there."""
+    u = (shift - starts.first_shift) * starts.per_metre + 0.5
+    if not (u >= 0.0 and u < starts.count):
+        return -1
+    row = int(u)
+    if not starts.rows[row].known:
+        row = -1
+    return row
 
 
 def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):

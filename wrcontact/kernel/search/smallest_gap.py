@@ -10,8 +10,7 @@ from typing import Final
 
 from ..layout import CANDIDATES, SideSearch, State, Tables
 from ..surface.gap import above_rail
-from .bounds import rising_from_minimum
-from .raster import leaves_rail, node_below, node_gap
+from .bounds import leaves_rail, node_below, node_gap, rising_from_minimum
 from .walk import LARGE_GAP, walk
 
 #: Without a known place the search begins at the best of every eighth node.

@@ -9,7 +9,7 @@ from typing import Final
 
 from ..layout import Place, Tables
 from .locus import around_wheel, outline_jet, outline_point
-from .profile_table import height_slope, height_slope_bend
+from .tables import height_slope, height_slope_bend
 
 #: Slope difference of a point that cannot be in contact.
 FOLDED: Final[float] = 1e6

@@ -12,7 +12,7 @@ plane. Everything here is for a right wheel; the left one comes in mirrored (con
 from math import cos, sin, sqrt
 
 from ..layout import Place, Tables, inlined
-from .profile_table import height_slope
+from .tables import height_slope
 
 
 def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, height: float,

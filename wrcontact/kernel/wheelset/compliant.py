@@ -10,12 +10,11 @@ from typing import Final
 
 from ..layout import (MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch, SideSearch, State,
                       Tables, Work, seldom)
-from ..motion.approach import approach_rate
+from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
-from ..search.roll import follow_side, place_both, search_both
-from ..search.starts import nearest_start
+from ..search.roll import follow_side, nearest_start, place_both, search_both
 from .leaning import set_reference
-from .moving import open_given_motion
+from .rubbing import open_given_motion
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
 

@@ -17,7 +17,7 @@ nothing, by brackets (brackets.py).
 from math import fabs
 from typing import Final
 
-from ..contact.touching import limited
+from ..contact.pressed import limited
 from ..layout import (MODEL_ANALYN_STRIP, NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden,
                       State, Supports, Tables, Work, seldom)
 from .brackets import bracket_roll

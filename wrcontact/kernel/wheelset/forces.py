@@ -14,7 +14,7 @@ outputs: with the velocity v of the centre and the rotation W of the wheelset, t
 from math import cos, fabs, sin
 
 from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work
-from ..tangential.dissipation import creep_gain
+from ..creep.friction import creep_gain
 from .requested import has_creep_forces
 
 

@@ -1,14 +1,136 @@
-"""Creep forces of the patches of a wheelset whose creepages are known: for each patch its friction, then the
-tangential model."""
+"""The rolling of a wheelset whose contact is solved: its velocities, the creepages of its patches, then for
+each patch its friction and the tangential model.
+
+Shear and slip over the outline of a wheel, for models of wear.
+
+Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
+
+    shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
+
+so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
+edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
+middles of strips both follow straight lines; a strip that would gain power counts as one that sticks.
+"""
 
 from math import sqrt
 
-from ..layout import DEPTH_ALL, Patch, Rolling, Tables, Work
-from ..motion.creepage import STANDSTILL
-from ..tangential.tangential_contact import solve_tangential
-from .friction import multiply_creepages, patch_friction, slope_factor
-from .requested import has_creep_forces
-from .wear import write_wear
+from ..creep.creep_force import solve_creep_force
+from ..creep.creepage import STANDSTILL, move_patch, move_strips
+from ..creep.friction import multiply_creepages, patch_friction, slope_factor
+from ..creep.motion import (constrain_loaded, constrain_touching, open_left_rail, open_motion,
+                            open_right_rail, set_contact_rates, set_rates)
+from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
+                      Patch, Rolling, RollingStrip, SideSearch, State, Tables, Work)
+from .forces import sum_side
+from .requested import has_creep_forces, is_requested, is_rolling
+from .side import touch_side
+
+
+def open_given_motion(left_tables: Tables, right_tables: Tables, work: Work):
+    """The motion as the inputs give it, at the wheelset's pose."""
+    left = work.sides[0].motion
+    right = work.sides[1].motion
+    open_motion(right_tables, left, work.inputs, work.wheelset, -1.0)
+    open_motion(right_tables, right, work.inputs, work.wheelset, 1.0)
+    open_left_rail(left_tables, left.rail, work.inputs)
+    open_right_rail(right_tables, right.rail, work.inputs)
+    set_rates(left, right, work.inputs, work.inputs.vertical_velocity, work.inputs.roll_rate)
+
+
+def move_patches(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+    """Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
+    velocity and roll rate are given, otherwise they follow from contact with both rails."""
+    if not is_rolling(work.inputs):
+        return
+    open_given_motion(left_tables, right_tables, work)
+    if right_tables.mode != MODE_COMPLIANT:
+        constrain_side(left_tables, work, state, 0)
+        constrain_side(right_tables, work, state, 1)
+        set_contact_rates(work.sides[0].motion, work.sides[1].motion, work.inputs)
+    for index in range(2):
+        side = work.sides[index]
+        for number in range(side.patch_count):
+            patch = side.patches[number]
+            move_patch(side.motion, patch)
+            if right_tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+                move_strips(side.motion, patch)
+
+
+def constrain_side(tables: Tables, work: Work, state: State, index: int):
+    """What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
+    elastic and carries a load."""
+    side = work.sides[index]
+    if tables.mode == MODE_ELASTIC and side.patch_count > 0:
+        sum_side(side, False)
+        constrain_loaded(side.motion, side.forces)
+    else:
+        if not is_requested(tables, index):
+            touch_side(tables, work, state, index)
+        constrain_touching(side.motion, side.point)
+
+
+def write_wear(side: SideSearch, stations: int):
+    """Shear [Pa] and slip [m/s] of the patches of a wheel at the ``stations`` of its outline; zero between
+    patches."""
+    for i in range(3 * stations, 5 * stations):
+        side.outline.numbers[i] = 0.0
+    for number in range(side.patch_count):
+        write_patch_wear(side.outline, stations, side.patches[number])
+
+
+def write_patch_wear(outline: Outline, stations: int, patch: Patch):
+    """Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips."""
+    first = patch.strips[0]
+    last = patch.strips[ROLLING_STRIP_LIMIT - 1]
+    start = first.station - 0.5 * first.width
+    stop = last.station + 0.5 * last.width
+    index = 0
+    low_station = first.station
+    high_station = first.station
+    low_shear = 0.0
+    low_slip = 0.0
+    high_shear = strip_shear(first)
+    high_slip = strip_slip(patch, first)
+    for j in range(1, stations - 1):
+        station = outline.numbers[j]
+        if station > start and station < stop:
+            while index < ROLLING_STRIP_LIMIT - 1 and high_station < station:
+                index += 1
+                strip = patch.strips[index]
+                low_station = high_station
+                low_shear = high_shear
+                low_slip = high_slip
+                high_station = strip.station
+                high_shear = strip_shear(strip)
+                high_slip = strip_slip(patch, strip)
+            shear = high_shear
+            slip = high_slip
+            if index > 0 and station < high_station:
+                share = (high_station - station) / (high_station - low_station)
+                shear += share * (low_shear - shear)
+                slip += share * (low_slip - slip)
+            outline.numbers[3 * stations + j] = shear
+            outline.numbers[4 * stations + j] = slip
+
+
+def strip_shear(strip: RollingStrip):
+    """Creep force per area of a strip [Pa]."""
+    shear = 0.0
+    if strip.half_length > 0.0:
+        force = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y)
+        shear = force / (2.0 * strip.half_length)
+    return shear
+
+
+def strip_slip(patch: Patch, strip: RollingStrip):
+    """Friction power of a strip over its creep force [m/s]."""
+    force = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y)
+    slip = 0.0
+    if force > 0.0:
+        power = -(strip.slip * strip.force_x + patch.creepage_y * strip.force_y + patch.spin * strip.moment)
+        if power > 0.0:
+            slip = patch.speed * power / force
+    return slip
 
 
 def rub_patches(left_tables: Tables, right_tables: Tables, work: Work):
@@ -26,7 +148,7 @@ def rub_side(tables: Tables, work: Work, index: int, friction: float):
         patch = side.patches[number]
         if patch.speed > STANDSTILL:
             factor = open_rolling(tables, work.rolling, patch, friction)
-            solve_tangential(tables, work.rolling, patch)
+            solve_creep_force(tables, work.rolling, patch)
             close_rolling(patch, factor)
     if tables.depth == DEPTH_ALL:
         write_wear(side, tables.stations)

@@ -1,20 +1,88 @@
-"""One side of a wheelset, from where its wheel is to its patches."""
+"""One side of a wheelset, from where its wheel is to its patches.
 
-from math import isfinite
+Its contact is described by where it is on wheel, rail and track, its angle, radius and curvatures.
+"""
 
-from ..contact.deep_points import deepest_entry
-from ..contact.followed_overlaps import follow_overlaps, keep_points
+from math import atan, fabs, isfinite
+from typing import Final
+
+from ..contact.deep_points import deepest_entry, follow_overlaps, keep_points
+from ..contact.frame import measure_contact, open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
-from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, NOT_CONVERGED, OFF_PROFILE, TANGENTIAL_NONE, UNLOADED, VALID,
-                      Contact, SideSearch, State, Tables, Work)
+from ..creep.cut import cut_patch
+from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, LATERAL_ADAPTIVE, NOT_CONVERGED, OFF_PROFILE,
+                      TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, State, Tables, Work)
 from ..normal.normal_contact import solve_normal
 from ..normal.patch_places import place_patches, place_strips
 from ..patch.filling import clear_patches
 from ..patch.outline import write_outline
+from ..surface.curvature import relative_curvature
 from ..surface.gap import gap_per_roll
-from ..tangential.sections import cut_patch
-from .contact_point import describe_contact
+from ..surface.locus import around_wheel
+from ..surface.rails import on_track, pitch_of_frame
+
+#: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
+#: none.  Within a profile they may differ by CORNER, as at the last digits of printed joints.
+PARALLEL: Final[float] = 1e-6
+CORNER: Final[float] = 1e-3
+#: A place this close to a profile's end is there [m]; the rail's is located to 1e-9 m.
+AT_END: Final[float] = 1e-8
+
+
+def describe_contact(tables: Tables, work: Work, state: State, index: int, y: float, aside: float,
+                     shift: float) -> bool:
+    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
+    with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
+
+    Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
+    folded.
+    """
+    place = work.sides[index].place
+    frame = work.contact.frame
+    region = work.contact.regions[0]
+    point = work.sides[index].point
+    z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, place, y, aside, shift)
+    sin_phi, cos_phi = around_wheel(place, slope)
+    r = tables.radius + z
+    lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll
+    x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
+    if place.leaning:
+        pitch_sin, pitch_cos = pitch_of_frame(place)
+        ahead = sin_phi * pitch_cos - cos_phi * pitch_sin
+        cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos
+        sin_phi = ahead
+    point.x_wheel = r * sin_phi
+    point.y_wheel = y
+    point.z_wheel = r * cos_phi - tables.radius
+    point.y_rail = frame.rail.y
+    point.z_rail = frame.rail.z
+    y_track, z_track = on_track(place, tables.rail_y, y_track, frame.rail.z)
+    point.x_track = x_track
+    point.y_track = y_track
+    point.z_track = z_track
+    point.contact_angle = -atan(rail_slope)
+    if place.leaning:
+        point.contact_angle = -atan(rail_slope) - place.rail_roll
+    point.rolling_radius = r
+    measure_contact(tables, frame, state)
+    open_contact_region(tables, frame, region)
+    point.curvature_x = region.curvature
+    point.curvature_y = region.bend
+    if tables.lateral != LATERAL_ADAPTIVE:
+        point.curvature_y = 2.0 * relative_curvature(tables, y, frame.rail.y)
+    touches = True
+    if fabs(mismatch) >= PARALLEL:
+        if fabs(mismatch) > CORNER or is_end(tables.wheel, y):
+            touches = False
+        if is_end(tables.rail, frame.rail.y):
+            touches = False
+    return touches
+
+
+def is_end(profile: Profile, y: float) -> bool:
+    """Whether ``y`` [m] is at an end of the profile."""
+    return y < profile.start + AT_END or y > profile.stop - AT_END
 
 
 def clear_side(side: SideSearch):

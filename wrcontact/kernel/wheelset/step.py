@@ -14,15 +14,13 @@ from ..search.roll import place_both
 from .compliant import solve_compliant
 from .elastic import solve_elastic
 from .forces import sum_forces
-from .friction_load import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, is_load_met,
-                            release_friction, share_load)
+from .requested import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, check_inputs, is_load_met,
+                        release_friction, share_load, side_force)
 from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
                       set_reference)
-from .moving import move_patches
+from .rubbing import move_patches, rub_patches
 from .report import report
-from .requested import check_inputs, side_force
 from .rigid import find_roll, keep_roll, solve_rigid
-from .rubbing import rub_patches
 from .trial import turn_to
 
 

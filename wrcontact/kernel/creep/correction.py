@@ -1,0 +1,123 @@
+"""What the strips' force of an ellipse lacks to that of the complete theory.
+
+For the ellipse with the patch's area and length over width, r = a/b, the saturation
+
+    s1 = -xi ab G C11/(mu N),   s2 = -eta ab G C22/(mu N),
+    s3 = -phi (ab)^1.5 G C23/(mu N) sqrt(1 + 0.66 r^-2.7)                                        (D1)
+
+is mirrored until s1 and s3 are not negative, and taken in polar coordinates: its length R as R / (1 + R), its
+elevation arctan(s1 / sqrt(s2^2 + s3^2)) and its azimuth arctan2(s3, s2).  Over these and ln r the table holds
+the force over mu N and the moment over mu N sqrt(ab) that are missing; between its nodes they follow straight
+lines along each coordinate.  The force is then cut to mu N.
+
+s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
+so the correction is continuous all over.
+"""
+
+from math import atan2, exp, fabs, log, pi, sqrt
+from typing import Final
+
+from ..layout import (CORRECTION_AZIMUTHS, CORRECTION_COLUMNS, CORRECTION_ELEVATIONS, CORRECTION_LINE,
+                      CORRECTION_RADII, CORRECTION_RATIOS, Patch, RollingTable, Tables)
+from ..surface.tables import table_cell
+from .tractions import cut_to, kalker_coefficients
+
+ELEVATION_STRIDE: Final[int] = CORRECTION_AZIMUTHS * CORRECTION_LINE
+RATIO_STRIDE: Final[int] = CORRECTION_ELEVATIONS * ELEVATION_STRIDE
+#: The smallest a/b of the table; each one is twice the one before.
+FIRST_RATIO: Final[float] = 0.1
+PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
+
+
+def correct_force(tables: Tables, patch: Patch):
+    """Add to a patch's force and moment what is missing."""
+    table = tables.rolling
+    bound = patch.friction * patch.totals.load
+    mean_axis = sqrt(patch.half_length * patch.half_width)
+    ratio, on_ratio = table_cell((log(patch.half_length / patch.half_width) - log(FIRST_RATIO))
+                                 * PER_DOUBLING, float(CORRECTION_RATIOS - 1))
+    along, across, turning = saturation(tables, patch, ratio, on_ratio)
+    sign_x = 1.0
+    if along < 0.0:
+        sign_x = -1.0
+        along = -along
+    sign_y = 1.0
+    if turning < 0.0:
+        sign_y = -1.0
+        across = -across
+        turning = -turning
+    at, on_elevation, on_azimuth, on_radius = node_at(table, along, across, turning)
+    at += ratio * RATIO_STRIDE
+    patch.creep_x += sign_x * bound * missing(table, at, on_ratio, on_elevation, on_azimuth, on_radius)
+    patch.creep_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
+    patch.creep_moment += (sign_y * bound * mean_axis
+                           * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
+    force_x, force_y = cut_to(patch.creep_x, patch.creep_y, bound)
+    patch.creep_x = force_x
+    patch.creep_y = force_y
+
+
+def saturation(tables: Tables, patch: Patch, cell: int, share: float):
+    """s1, s2, s3 of eq. (D1), with the coefficients that the table was made with; ``cell`` and ``share`` are
+    the patch's place among the table's ratios a/b."""
+    ratio = patch.half_length / patch.half_width
+    area = patch.half_length * patch.half_width
+    first, second, third = kalker_coefficients(tables.rolling, ratio)
+    scale = -area * tables.shear_modulus / (patch.friction * patch.totals.load)
+    wide = sqrt(1.0 + 0.66 * exp(-2.7 * log(ratio)))
+    at = 3 * cell
+    return (scale * first * scale_at(tables.rolling, at, share) * patch.creepage_x,
+            scale * second * scale_at(tables.rolling, at + 1, share) * patch.creepage_y,
+            scale * sqrt(area) * third * scale_at(tables.rolling, at + 2, share) * patch.spin * wide)
+
+
+def scale_at(table: RollingTable, at: int, share: float):
+    """A scale of the table between two ratios."""
+    return table.scales[at] + share * (table.scales[at + 3] - table.scales[at])
+
+
+def node_at(table: RollingTable, along: float, across: float, turning: float):
+    """Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
+    ``along`` and ``turning`` are not negative."""
+    flat = sqrt(across * across + turning * turning)
+    radius = sqrt(flat * flat + along * along)
+    elevation, on_elevation = table_cell(atan2(along, flat) * (2.0 / pi) * float(CORRECTION_ELEVATIONS - 1),
+                                         float(CORRECTION_ELEVATIONS - 1))
+    azimuth, on_azimuth = table_cell(atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1),
+                                     float(CORRECTION_AZIMUTHS - 1))
+    cell, on_radius = radius_cell(table, radius / (1.0 + radius))
+    at = elevation * ELEVATION_STRIDE + azimuth * CORRECTION_LINE + cell * CORRECTION_COLUMNS
+    return at, on_elevation, on_azimuth, on_radius
+
+
+def radius_cell(table: RollingTable, place: float):
+    """The cell that holds R / (1 + R) = ``place``, and where in it."""
+    cell = 0
+    while cell < CORRECTION_RADII - 2 and place >= table.radii[cell + 1]:
+        cell += 1
+    return cell, (place - table.radii[cell]) / (table.radii[cell + 1] - table.radii[cell])
+
+
+def missing(table: RollingTable, at: int, on_ratio: float, on_elevation: float, on_azimuth: float,
+            on_radius: float):
+    """A number of the table, linear along all four coordinates of the cell that begins ``at``."""
+    low = on_plane(table, at, on_elevation, on_azimuth, on_radius)
+    return low + on_ratio * (on_plane(table, at + RATIO_STRIDE, on_elevation, on_azimuth, on_radius) - low)
+
+
+def on_plane(table: RollingTable, at: int, on_elevation: float, on_azimuth: float, on_radius: float):
+    """The same for one ratio."""
+    low = on_cone(table, at, on_azimuth, on_radius)
+    return low + on_elevation * (on_cone(table, at + ELEVATION_STRIDE, on_azimuth, on_radius) - low)
+
+
+def on_cone(table: RollingTable, at: int, on_azimuth: float, on_radius: float):
+    """The same for one elevation."""
+    low = on_line(table, at, on_radius)
+    return low + on_azimuth * (on_line(table, at + CORRECTION_LINE, on_radius) - low)
+
+
+def on_line(table: RollingTable, at: int, on_radius: float):
+    """The same for one azimuth."""
+    low = table.corrections[at]
+    return low + on_radius * (table.corrections[at + CORRECTION_COLUMNS] - low)

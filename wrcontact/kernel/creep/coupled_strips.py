@@ -1,0 +1,226 @@
+"""Coupled strips: creep force of any patch, strip by strip.
+
+Each strip has its stick zone and its slip zone (march.py), with the stiffness that it has beside the others
+on one half-space (stiffness.py).  What an ellipse with the patch's area and length over width is known to
+differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
+
+    int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
+    int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
+
+in which the second root of eq. (Z1) is integrated exactly.
+
+Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
+creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
+2 d to its leading edge a, with the traction
+
+    p = m (e sqrt(a^2 - x^2) - (e - (0, k)) sqrt((a - d)^2 - (x - d)^2))                         (Z1)
+    e = (u, v + k d) / d,   d^2 (1 - k^2) - 2 v k d - (U + v^2) = 0,   U = u^2 + s^2             (Z2)
+
+after Haines & Ollerton (1963) and Kalker (1967); without spin this is Carter's.  s^2 is twice the variance
+of u over the strip's width, and a floor in long patches, where all strips would begin to slip at once as k
+passes 1:
+
+    s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/6) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
+
+Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
+f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
+
+Where the stick zone of eq. (Z2) is about to be none, or asks for tractions beyond the bound at the leading
+edge, its weight c falls smoothly from 1 to 0, so that no force jumps:  with S(z) = z^2 (3 - 2 z),
+D = v^2 + (1 - k^2) U, t = sqrt(1 - d/a) and q = |e (1 - t) + (0, k) t|
+
+    c = S(D/v^2) (1 - S(q - 1)) S((1 - d/a) / 0.1)                                               (Z5)
+
+of which the first two count only for k^2 > 1, the first only for v k < 0.
+"""
+
+from math import fabs, pi, sqrt
+from typing import Final
+
+from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip, Tables
+from .correction import correct_force
+from .march import march_strips, open_marches, set_pushes, set_stick
+from .stiffness import find_stiffnesses, stiffnesses_at
+from .tractions import add_strip, bound_rate, patch_area, point_weight
+
+#: E of eq. (Z4) in very long patches.
+LATER: Final[float] = 0.08
+#: Share of the strip over which its stick zone fades.
+FADE: Final[float] = 0.1
+#: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
+FLOOR: Final[float] = 0.3
+FLOOR_RATIO: Final[float] = 4.5
+FLOOR_TWIST: Final[float] = 1.5
+#: In place of no slip at all.
+NOTHING: Final[float] = 1e-300
+
+
+def find_stick_zone(march: RollingMarch, width: float, ratio: float):
+    """Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
+    ``ratio`` the patch's a/b."""
+    a = march.half_length
+    inverse = 1.0 / march.rate
+    u = -march.along * march.slip * inverse
+    v = -march.across * march.lateral * inverse
+    k = -march.turning * march.spin * inverse
+    spread = spread_square(march, width * inverse, k, ratio)
+    depth, first_weight = slip_depth(u * u + spread, v, k, a)
+    share = later_share(depth / a, ratio)
+    u *= share
+    v *= share
+    k *= share
+    depth, weight = slip_depth(u * u + share * share * spread, v, k, a)
+    if first_weight < weight:
+        weight = first_weight
+    march.depth = a
+    march.weight = 0.0
+    march.twist = k
+    march.stick_x = 0.0
+    march.stick_y = 0.0
+    if weight > 0.0 and depth < a:
+        march.depth = depth
+        march.stick_x = u / (depth + NOTHING)
+        march.stick_y = v / (depth + NOTHING) + k
+        march.weight = weight * smooth_step((1.0 - depth / a) / FADE) * edge_weight(march)
+    march.edge = 2.0 * march.depth - a
+
+
+def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
+    """s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m."""
+    over_width = march.along * march.spin * scale
+    twist = fabs(k)
+    if twist > FLOOR_TWIST:
+        twist = FLOOR_TWIST
+    long = ratio / FLOOR_RATIO
+    if long > 1.0:
+        long = 1.0
+    floor = FLOOR * long * twist * twist * march.half_length
+    return over_width * over_width / 6.0 + floor * floor
+
+
+def slip_depth(square: float, v: float, k: float, a: float):
+    """d of eq. (Z2) [m] for ``square`` = U, and the first factor of eq. (Z5); a weight of 0 is no stick
+    zone."""
+    rest = 1.0 - k * k
+    cross = v * k
+    spread = v * v + rest * square
+    depth = 2.0 * a
+    weight = 0.0
+    if spread > 0.0 or (rest > 0.0 and spread == 0.0):
+        root = sqrt(spread)
+        if cross <= 0.0:
+            depth = (square + v * v) / (root - cross + NOTHING)
+            weight = 1.0
+            if rest < 0.0:
+                weight = smooth_step(spread / (v * v + NOTHING))
+        elif rest > 0.0:
+            depth = (cross + root) / rest
+            weight = 1.0
+    return depth, weight
+
+
+def later_share(depth: float, ratio: float):
+    """The factor of eq. (Z4) for d/a = ``depth``."""
+    filled = 1.0
+    share = 1.0
+    if depth < 1.0:
+        filled = depth * (2.0 - depth)
+    if depth > 0.0:
+        share = 1.0 - 0.5 * LATER * ratio / (1.0 + ratio) * filled * (filled / depth)
+    return share
+
+
+def edge_weight(march: RollingMarch):
+    """The second factor of eq. (Z5)."""
+    weight = 1.0
+    if march.twist * march.twist > 1.0:
+        t = sqrt(1.0 - march.depth / march.half_length)
+        along = march.stick_x * (1.0 - t)
+        across = march.stick_y * (1.0 - t) + march.twist * t
+        weight = 1.0 - smooth_step(sqrt(along * along + across * across) - 1.0)
+    return weight
+
+
+def smooth_step(z: float):
+    """S: from 0 at 0 to 1 at 1."""
+    value = 0.0
+    if z >= 1.0:
+        value = 1.0
+    elif z > 0.0:
+        value = z * z * (3.0 - 2.0 * z)
+    return value
+
+
+def solve_strips(tables: Tables, rolling: Rolling, patch: Patch):
+    """Force, moment, stick share and largest traction of a patch."""
+    find_stiffnesses(tables, rolling, patch)
+    add_strips(tables, rolling, patch)
+    if not rolling.bare:
+        correct_force(tables, patch)
+
+
+def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
+    """What the strips add up to, without correction."""
+    march = rolling.march
+    marches = rolling.marches
+    ratio = patch.half_length / patch.half_width
+    plane, spinning = flexibilities(patch)
+    open_marches(marches, ratio)
+    stuck = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
+        if rate > 0.0:
+            begin_march(rolling, patch, strip, rate, i)
+            find_stick_zone(march, strip.width, ratio)
+            set_pushes(march, marches, i, plane, spinning, ratio)
+            set_stick(tables.rolling, march, marches, i)
+            stuck += 2.0 * (march.half_length - march.depth) * march.weight * strip.width
+    march_strips(tables.rolling, marches)
+    finish_marches(rolling, patch)
+    patch.stick_share = stuck / patch_area(patch)
+
+
+def flexibilities(patch: Patch):
+    """i1/K1 and i3/K3 [1/m] of eq. (M3)."""
+    first = 0.0
+    second = 0.0
+    third = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        area = strip.half_length * strip.width
+        first += area
+        second += area * strip.half_length
+        third += area * strip.half_length * strip.half_length
+    return 0.5 * pi * first / second, 0.75 * pi * second / third
+
+
+def begin_march(rolling: Rolling, patch: Patch, strip: RollingStrip, rate: float, index: int):
+    """Creepages and stiffnesses of a strip."""
+    march = rolling.march
+    march.half_length = strip.half_length
+    march.rate = rate
+    march.slip = strip.slip
+    march.lateral = patch.creepage_y + patch.spin * strip.x
+    march.spin = patch.spin
+    along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
+    march.along = along
+    march.across = across
+    march.turning = turning
+
+
+def finish_marches(rolling: Rolling, patch: Patch):
+    """Add the strips' forces, eqs. (T1), (T2), and find the largest traction."""
+    marches = rolling.marches
+    largest = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        unit = bound_rate(patch, strip) * strip.half_length
+        square = marches.largest[i] * unit * unit
+        if square > largest:
+            largest = square
+        if unit > 0.0:
+            unit *= point_weight(strip)
+            add_strip(patch, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],
+                      unit * strip.half_length * marches.sum_moment[i])
+    patch.max_shear = sqrt(largest)

@@ -1,0 +1,104 @@
+"""Creepages of the patches: how the wheel slides and turns on the rail, over the rolling speed.
+
+At a patch's centre of load P the wheel's surface has the velocity
+
+    v = (V, y', z') + W x (P - C) - w e2 x (P - C)
+
+with the velocity of the wheelset's centre C, its rotation W but for that about the axle, and its rotation w
+about the axle e2, positive when it rolls forward.  On the right wheel, with the normal n from the
+rail to the wheel and y_p = e_x x n, which points to the field side,
+
+    V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+    xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
+
+The left wheel is mirrored.
+
+The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
+circumference that it has when it carries nothing, however deep it is pressed.
+"""
+
+from math import cos, fabs, sin, sqrt
+from typing import Final
+
+from ..layout import ROLLING_STRIP_LIMIT, Motion, Patch
+
+#: A wheel that rolls more slowly than this [m/s] stands still and has no creepages: a micrometre a second.
+STANDSTILL: Final[float] = 1e-6
+
+
+def move_patch(motion: Motion, patch: Patch):
+    """Rolling speed and creepages of a patch; those of a patch that stands still are zero."""
+    x = patch.x_track
+    y = patch.y_track - motion.centre_y
+    z = patch.z_track - motion.centre_z
+    rail = motion.rail
+    rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, x, y, z, patch.rolling_radius)
+    along = velocity_along(motion, y, z, rolling_x)
+    lateral = (motion.lateral + motion.track_rate * x + motion.turn_z * x - motion.turn_x * z
+               - rolling_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
+    vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * x
+                - rolling_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
+    normal_y = -sin(patch.contact_angle)
+    normal_z = -cos(patch.contact_angle)
+    speed = reference_speed(motion, rolling_x)
+    patch.speed = speed
+    patch.radius_share = share
+    patch.backwards = motion.speed + rolling_x < 0.0
+    patch.creepage_x = 0.0
+    patch.creepage_y = 0.0
+    patch.spin = 0.0
+    if speed > STANDSTILL:
+        patch.creepage_x = along / speed
+        patch.creepage_y = -(normal_z * lateral - normal_y * vertical) / speed
+        patch.spin = -((motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
+                       + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
+                       ) / speed
+
+
+def move_strips(motion: Motion, patch: Patch):
+    """Longitudinal creepages of the strips of a patch that rolls, each with its own rolling radius."""
+    for index in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[index]
+        y = strip.y_track - motion.centre_y
+        z = strip.z_track - motion.centre_z
+        rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, patch.x_track + strip.x, y, z,
+                                                                  strip.rolling_radius)
+        strip.slip = velocity_along(motion, y, z, rolling_x) / patch.speed
+        strip.radius_share = share
+
+
+def rolling_velocity(motion: Motion, x: float, y: float, z: float, radius: float):
+    """Velocity w e2 x (P - C) [m/s] of a place (x, y, z) from the wheelset's centre, where the wheel has the
+    rolling ``radius`` [m]; its three components, and the radius over the distance from the axle."""
+    around_x = motion.axle_y * z - motion.axle_z * y
+    around_y = motion.axle_z * x - motion.axle_x * z
+    around_z = motion.axle_x * y - motion.axle_y * x
+    distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z)
+    rolling = motion.wheel_rate * radius / distance
+    return rolling * around_x, rolling * around_y, rolling * around_z, radius / distance
+
+
+def velocity_along(motion: Motion, y: float, z: float, rolling_x: float):
+    """Velocity of the wheel's surface along the track [m/s] at a place y, z from the wheelset's centre."""
+    return (motion.speed - motion.track_rate * (y + motion.centre_y) + motion.turn_y * z - motion.turn_z * y
+            - rolling_x)
+
+
+def reference_speed(motion: Motion, rolling_x: float):
+    """The rolling speed [m/s] that creepages are referred to."""
+    return 0.5 * (fabs(motion.speed) + fabs(rolling_x))
+
+
+def approach_rate(motion: Motion, patch: Patch):
+    """Speed [m/s] at which wheel and rail approach each other along a patch's normal, at its centre of load.
+
+    Neither the rotation of a round wheel about its axle nor the course of a curve brings them closer.
+    """
+    rail = motion.rail
+    y = patch.y_track - motion.centre_y
+    z = patch.z_track - motion.centre_z
+    lateral = (motion.lateral + motion.turn_z * patch.x_track - motion.turn_x * z - rail.lateral
+               + rail.roll * (patch.z_track - rail.z))
+    vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * patch.x_track - rail.vertical
+                - rail.roll * (patch.y_track - rail.y))
+    return sin(patch.contact_angle) * lateral + cos(patch.contact_angle) * vertical

@@ -1,0 +1,141 @@
+"""FaStrip: strip theory in the stick zone, FASTSIM's direction in the slip zone.
+
+M. Sh. Sichani, R. Enblom, M. Berg, An alternative to FASTSIM for tangential solution of the wheel-rail
+contact, Vehicle System Dynamics 54 (2016) 748-764.  Strip theory (eqs. (Z1), (Z2) of coupled_strips.py, there
+with s = 0) has the stiffnesses that give Kalker's force for an ellipse,
+
+    K1 = 2 C11 G / pi^2,   K2 = 2 C22 G / pi^2,   K3 = 3 C23 G sqrt(b/a) / (2 pi)                (A1)
+
+the same in all strips.  A strip that has no stick zone, or one that is longer than itself, slips all over.
+Where a strip slips its traction is the bound, in the direction that FASTSIM's traction has there.  As
+published, -phi y has the stiffness K3 / (1 - nu) in strip theory and L3 in FASTSIM; with those of
+longitudinal creepage, K1 and L1, the force is closer to the complete theory.
+
+The force is not continuous: strips begin to slip all over while their stick zone has a length.
+"""
+
+from math import pi, sqrt
+
+from ..layout import (POINT_LIMIT, ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip,
+                      RollingTable, Tables)
+from .fastsim import stiffnesses, strip_push
+from .tractions import add_strip, bound_rate, cut_to, kalker_coefficients, patch_area, point_weight
+
+
+def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
+    """Force, moment, stick share and largest traction of a patch."""
+    march = rolling.march
+    along, across, turning = stiffnesses(tables, patch)
+    set_stiffnesses(tables, patch, march)
+    march.largest = 0.0
+    stuck = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
+        if rate > 0.0:
+            march.half_length = strip.half_length
+            march.rate = rate
+            lateral = patch.creepage_y + patch.spin * strip.x
+            find_stick(march, longitudinal(tables, rolling, patch, strip), lateral, patch.spin)
+            march.push_x = strip_push(rolling, patch, strip, along, turning)
+            march.push_y = patch.creepage_y * across + patch.spin * strip.x * turning
+            march.push_turn = patch.spin * turning
+            add_tractions(tables.rolling, patch, march, strip)
+            stuck += 2.0 * (march.half_length - march.depth) * strip.width
+    patch.max_shear = sqrt(march.largest)
+    patch.stick_share = stuck / patch_area(patch)
+
+
+def set_stiffnesses(tables: Tables, patch: Patch, march: RollingMarch):
+    """K1, K2, K3 of all strips; eq. (A1)."""
+    ratio = patch.half_length / patch.half_width
+    first, second, third = kalker_coefficients(tables.rolling, ratio)
+    modulus = tables.shear_modulus
+    march.along = 2.0 * first * modulus / (pi * pi)
+    march.across = 2.0 * second * modulus / (pi * pi)
+    march.turning = 1.5 * third * modulus / (pi * sqrt(ratio))
+
+
+def longitudinal(tables: Tables, rolling: Rolling, patch: Patch, strip: RollingStrip):
+    """K1 w_x of a strip [Pa]."""
+    march = rolling.march
+    push = march.along * strip.slip
+    if rolling.published:
+        push = (march.along * patch.creepage_x + march.turning * (strip.slip - patch.creepage_x)
+                / (1.0 - tables.parameters.poisson_ratio))
+    return push
+
+
+def find_stick(march: RollingMarch, push: float, lateral: float, spin: float):
+    """Depth of the slip zone and direction of the stick zone of a strip; ``push`` = K1 w_x."""
+    u = -push / march.rate
+    v = -march.across * lateral / march.rate
+    k = -march.turning * spin / march.rate
+    rest = 1.0 - k * k
+    cross = v * k
+    spread = v * v + rest * u * u
+    depth = 2.0 * march.half_length
+    if rest > 0.0:
+        root = sqrt(spread)
+        depth = root + cross
+        if cross < 0.0:
+            # the same without cancellation
+            depth = (u * u + v * v) / (root - cross) * rest
+        depth /= rest
+    elif cross < 0.0 and spread > 0.0:
+        depth = (u * u + v * v) / (sqrt(spread) - cross)
+    march.twist = k
+    march.depth = march.half_length
+    march.stick_x = 0.0
+    march.stick_y = 0.0
+    if depth < march.half_length:
+        march.depth = depth
+        march.stick_x = u / (depth + 1e-300)
+        march.stick_y = v / (depth + 1e-300) + k
+    march.edge = 2.0 * march.depth - march.half_length
+
+
+def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip: RollingStrip):
+    """Add a strip's force from its tractions at the points."""
+    a = march.half_length
+    march.x = a
+    march.first_x = 0.0
+    march.first_y = 0.0
+    march.sum_x = 0.0
+    march.sum_y = 0.0
+    march.sum_moment = 0.0
+    for q in range(POINT_LIMIT):
+        x = a * table.cosines[q]
+        bound = march.rate * a * table.sines[q]
+        p_x, p_y = next_traction(march, x, bound)
+        square = p_x * p_x + p_y * p_y
+        if square > march.largest:
+            march.largest = square
+        march.sum_x += table.sines[q] * p_x
+        march.sum_y += table.sines[q] * p_y
+        march.sum_moment += table.sines[q] * x * p_y
+    weight = point_weight(strip)
+    add_strip(patch, strip, weight * march.sum_x, weight * march.sum_y, weight * march.sum_moment)
+
+
+def next_traction(march: RollingMarch, x: float, bound: float):
+    """The traction at the next point ``x``: that of strip theory in the stick zone, the bound in FASTSIM's
+    direction behind it."""
+    step = march.x - x
+    across = march.push_y + march.push_turn * (x + 0.5 * step)
+    p_x, p_y = cut_to(march.first_x - step * march.push_x, march.first_y - step * across, bound)
+    march.x = x
+    march.first_x = p_x
+    march.first_y = p_y
+    reach = march.half_length - march.depth
+    inner = reach * reach - (x - march.depth) * (x - march.depth)
+    if inner > 0.0:
+        root = march.rate * sqrt(inner)
+        p_x, p_y = cut_to(march.stick_x * (bound - root),
+                          march.stick_y * (bound - root) + march.twist * root, bound)
+    else:
+        size = sqrt(p_x * p_x + p_y * p_y)
+        if size > 0.0:
+            p_x *= bound / size
+            p_y *= bound / size
+    return p_x, p_y

@@ -1,0 +1,90 @@
+"""FASTSIM, Kalker's simplified theory.
+
+J. J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11 (1982)
+1-13.  The surface gives way like u = L p, so that along a strip, in the direction of rolling,
+
+    dp_x/dx = (xi - phi y) / L1,   dp_y/dx = eta / L2 + phi x / L3                              (F1)
+    L1 = 8 a / (3 C11 G),  L2 = 8 a / (3 C22 G),  L3 = pi a sqrt(a/b) / (4 C23 G)               (F2)
+
+from zero at the leading edge, cut to the bound.  a, b and the coefficients are those of the ellipse with the
+patch's area and length over width.  As published, -phi y has the flexibility L3; with L1, which is that of
+all longitudinal creepage, the force is closer to the complete theory.  The bound is that of the pressure,
+mu p0 sqrt(1 - (x/a)^2).  Where L1 and L2 differ, the force of full slip does not point quite against the
+slip: up to 10 degrees.
+"""
+
+from math import pi, sqrt
+
+from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, Patch, Rolling, RollingStrip, RollingTable, Tables
+from .tractions import add_strip, bound_rate, cut_to, kalker_coefficients, patch_area, point_weight
+
+
+def solve_fastsim(tables: Tables, rolling: Rolling, patch: Patch):
+    """Force, moment, stick share and largest traction of a patch."""
+    along, across, turning = stiffnesses(tables, patch)
+    stuck = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        rate = bound_rate(patch, strip)
+        if rate > 0.0:
+            push = strip_push(rolling, patch, strip, along, turning)
+            stuck += march_strip(tables.rolling, patch, strip, rate, push, across, turning)
+    area = patch_area(patch)
+    if area > 0.0:
+        patch.stick_share = stuck / area
+
+
+def stiffnesses(tables: Tables, patch: Patch):
+    """1/L1, 1/L2, 1/L3 [Pa/m]; eq. (F2)."""
+    a = patch.half_length
+    ratio = a / patch.half_width
+    first, second, third = kalker_coefficients(tables.rolling, ratio)
+    modulus = tables.shear_modulus
+    return (3.0 * first * modulus / (8.0 * a), 3.0 * second * modulus / (8.0 * a),
+            4.0 * third * modulus / (pi * a * sqrt(ratio)))
+
+
+def strip_push(rolling: Rolling, patch: Patch, strip: RollingStrip, along: float, turning: float):
+    """dp_x/dx of a strip [Pa/m]; eq. (F1)."""
+    push = strip.slip * along
+    if rolling.published:
+        push = patch.creepage_x * along + (strip.slip - patch.creepage_x) * turning
+    return push
+
+
+def march_strip(table: RollingTable, patch: Patch, strip: RollingStrip, rate: float, push: float,
+                across: float, turning: float):
+    """Add a strip's force from its tractions; the area that sticks [m^2]."""
+    a = strip.half_length
+    lateral = patch.creepage_y * across + patch.spin * strip.x * turning
+    turn = patch.spin * turning
+    before = a
+    p_x = 0.0
+    p_y = 0.0
+    force_x = 0.0
+    force_y = 0.0
+    moment = 0.0
+    stuck = 0.0
+    total = 0.0
+    largest = patch.max_shear * patch.max_shear
+    for q in range(POINT_LIMIT):
+        x = a * table.cosines[q]
+        weight = table.sines[q]
+        step = before - x
+        free_x = p_x - step * push
+        free_y = p_y - step * (lateral + turn * (x + 0.5 * step))
+        p_x, p_y = cut_to(free_x, free_y, rate * a * weight)
+        if p_x == free_x and p_y == free_y:
+            stuck += weight
+        total += weight
+        square = p_x * p_x + p_y * p_y
+        if square > largest:
+            largest = square
+        force_x += weight * p_x
+        force_y += weight * p_y
+        moment += weight * x * p_y
+        before = x
+    patch.max_shear = sqrt(largest)
+    weight = point_weight(strip)
+    add_strip(patch, strip, weight * force_x, weight * force_y, weight * moment)
+    return 2.0 * a * strip.width * stuck / total

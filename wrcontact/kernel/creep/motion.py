@@ -1,0 +1,157 @@
+"""The motion of a wheelset and its rails, from the inputs.
+
+Velocities are those in the track frame, whose origin runs along the track with the speed.  In a curve the
+frame turns in space, and the rails stand still there.  The left side is mirrored.
+
+Vertical velocity and roll rate may follow from contact with both rails.  A wheel that stays in contact moves
+along the plane of the contact: the velocity of its surface against the rail has no part along the normal n.
+With the velocity v of the wheelset's centre and its rotation W this is
+
+    n . v + ((P - C) x n) . W = the same for the rail
+
+at each wheel, two linear equations for the two that are not given.  The rotation about the axle is left out:
+it does not move the surface of a round wheel, whose normal goes through the axle.
+
+Each wheel has its equation in its own frame, in which the left side is mirrored, and so is its roll rate.
+"""
+
+from math import cos, fabs, sin
+
+from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, ContactPoint,
+                      Forces, Inputs, Motion, RailMotion, Tables, Wheelset)
+
+
+def is_moderate(inputs: Inputs) -> bool:
+    """Whether no velocity among the inputs is beyond its limit."""
+    moderate = not (fabs(inputs.speed) > SPEED_LIMIT or fabs(inputs.wheel_rate) > WHEEL_LIMIT)
+    if fabs(inputs.lateral_velocity) > VELOCITY_LIMIT or fabs(inputs.vertical_velocity) > VELOCITY_LIMIT:
+        moderate = False
+    if fabs(inputs.yaw_rate) > RATE_LIMIT or fabs(inputs.roll_rate) > RATE_LIMIT:
+        moderate = False
+    if fabs(inputs.track_curvature) > CURVATURE_LIMIT:
+        moderate = False
+    if not is_rail_moderate(inputs.left_rail_lateral_velocity, inputs.left_rail_vertical_velocity,
+                            inputs.left_rail_roll_velocity):
+        moderate = False
+    if not is_rail_moderate(inputs.right_rail_lateral_velocity, inputs.right_rail_vertical_velocity,
+                            inputs.right_rail_roll_velocity):
+        moderate = False
+    return moderate
+
+
+def is_rail_moderate(lateral: float, vertical: float, roll: float) -> bool:
+    """Whether no velocity of a rail [m/s, rad/s] is beyond its limit."""
+    return not (fabs(lateral) > VELOCITY_LIMIT or fabs(vertical) > VELOCITY_LIMIT or fabs(roll) > RATE_LIMIT)
+
+
+def rolling_rate(tables: Tables, inputs: Inputs):
+    """Rotation of the wheelset about its axle [rad/s], positive when it rolls forward."""
+    rate = inputs.wheel_rate
+    if rate == 0.0 and inputs.free_rolling != 0.0:
+        rate = inputs.speed / tables.height
+    return rate
+
+
+def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheelset, mirror: float):
+    """What the inputs say of the motion of the ``wheelset``, as a side sees it: ``mirror`` = 1 on the right,
+    -1 on the left, which is mirrored.  Vertical velocity and roll rate are left to :func:`set_rates`."""
+    sin_yaw = sin(inputs.yaw)
+    cos_yaw = cos(inputs.yaw)
+    sin_roll = sin(wheelset.roll)
+    cos_roll = cos(wheelset.roll)
+    motion.speed = inputs.speed
+    motion.lateral = mirror * inputs.lateral_velocity
+    motion.wheel_rate = rolling_rate(tables, inputs)
+    motion.track_rate = mirror * (inputs.speed * inputs.track_curvature)
+    motion.turn_z = mirror * inputs.yaw_rate
+    motion.axle_x = -mirror * sin_yaw * cos_roll
+    motion.axle_y = cos_yaw * cos_roll
+    motion.axle_z = mirror * sin_roll
+    motion.centre_y = mirror * inputs.lateral_shift
+    motion.centre_z = wheelset.vertical_shift - tables.height
+
+
+def open_left_rail(tables: Tables, rail: RailMotion, inputs: Inputs):
+    """What the inputs say of the left rail, which rolls about its highest point; mirrored."""
+    rail.lateral = -inputs.left_rail_lateral_velocity
+    rail.vertical = inputs.left_rail_vertical_velocity
+    rail.roll = -inputs.left_rail_roll_velocity
+    rail.y = tables.rail_y - inputs.left_rail_lateral
+    rail.z = inputs.left_rail_vertical
+
+
+def open_right_rail(tables: Tables, rail: RailMotion, inputs: Inputs):
+    """The same of the right rail."""
+    rail.lateral = inputs.right_rail_lateral_velocity
+    rail.vertical = inputs.right_rail_vertical_velocity
+    rail.roll = inputs.right_rail_roll_velocity
+    rail.y = tables.rail_y + inputs.right_rail_lateral
+    rail.z = inputs.right_rail_vertical
+
+
+def set_rates(left: Motion, right: Motion, inputs: Inputs, vertical: float, roll_rate: float):
+    """Give both sides the wheelset's vertical velocity [m/s] and roll rate [rad/s].
+
+    The wheelset rolls about its own x axis, which yaws with it: (cos(yaw), sin(yaw), 0).
+    """
+    right.vertical = vertical
+    right.turn_x = roll_rate * cos(inputs.yaw)
+    right.turn_y = roll_rate * sin(inputs.yaw)
+    left.vertical = vertical
+    left.turn_x = -right.turn_x
+    left.turn_y = right.turn_y
+
+
+def constrain_touching(motion: Motion, point: ContactPoint):
+    """The normal of the place where a rigid wheel touches its rail keeps it there."""
+    constraint = motion.constraint
+    x = point.x_track
+    y = point.y_track - motion.centre_y
+    z = point.z_track - motion.centre_z
+    normal_y = -sin(point.contact_angle)
+    normal_z = -cos(point.contact_angle)
+    constraint.y = normal_y
+    constraint.z = normal_z
+    constraint.moment_x = y * normal_z - z * normal_y
+    constraint.moment_y = -x * normal_z
+    constraint.moment_z = x * normal_y
+
+
+def constrain_loaded(motion: Motion, forces: Forces):
+    """The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
+    what its patches approach is zero in the mean over the load, which stays."""
+    constraint = motion.constraint
+    constraint.y = forces.normal_force[1]
+    constraint.z = forces.normal_force[2]
+    constraint.moment_x = forces.normal_moment[0]
+    constraint.moment_y = forces.normal_moment[1]
+    constraint.moment_z = forces.normal_moment[2]
+
+
+def known_part(motion: Motion):
+    """What the velocities that are known do with the constraint of a side."""
+    constraint = motion.constraint
+    rail = motion.rail
+    # of the force about the point about which the rail rolls
+    rail_moment = (constraint.moment_x + (motion.centre_y - rail.y) * constraint.z
+                   - (motion.centre_z - rail.z) * constraint.y)
+    return (constraint.y * (motion.lateral - rail.lateral) + constraint.moment_z * motion.turn_z
+            - constraint.z * rail.vertical - rail_moment * rail.roll)
+
+
+def set_contact_rates(left: Motion, right: Motion, inputs: Inputs):
+    """Vertical velocity [m/s] and roll rate [rad/s] with which both constraints hold; zero where they cannot
+    tell."""
+    sin_yaw = sin(inputs.yaw)
+    cos_yaw = cos(inputs.yaw)
+    left_roll = sin_yaw * left.constraint.moment_y - cos_yaw * left.constraint.moment_x
+    right_roll = cos_yaw * right.constraint.moment_x + sin_yaw * right.constraint.moment_y
+    known_left = known_part(left)
+    known_right = known_part(right)
+    determinant = left.constraint.z * right_roll - right.constraint.z * left_roll
+    vertical = 0.0
+    roll_rate = 0.0
+    if determinant != 0.0:
+        vertical = (known_right * left_roll - known_left * right_roll) / determinant
+        roll_rate = (known_left * right.constraint.z - known_right * left.constraint.z) / determinant
+    set_rates(left, right, inputs, vertical, roll_rate)

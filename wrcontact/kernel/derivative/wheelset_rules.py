@@ -1,0 +1,223 @@
+"""How a step's results follow its inputs: what is found by iteration, differentiated implicitly.
+
+``tools/differentiate`` differentiates the kernel along a seed of its inputs, statement by statement. That
+does not work for a search or an iteration: its steps do not follow the inputs as its result does. The
+equation that the result solves gives its rate. From r(x, p) = 0 follows
+
+    dx = -(dr/dp dp) / (dr/dx)
+
+Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
+gives the result the rate that follows. Values stay as they are. contact_rules.py has the rules of
+the rooms contact and normal, this file the wheelset and the whole step, ``differentiate``. The files are
+inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
+they speak of rates.
+"""
+
+from math import cos, fabs, sin
+
+from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
+from ..search.roll import lean_both, place_both, turn_both
+from ..surface.gap import gap_per_roll, vertical_gap
+from ..wheelset.compliant import is_damped, load_at_height
+from ..wheelset.elastic import UNBALANCED
+from ..wheelset.forces import sum_forces
+from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, side_force
+from ..wheelset.leaning import set_reference
+from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
+from ..wheelset.report import report
+from ..wheelset.rigid import solve_rigid
+from ..wheelset.trial import balance_side
+from .intrinsics import held, moving, rate_of, seeded
+
+
+def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
+    """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
+    place_both(left_tables, right_tables, work.inputs, work.sides, roll)
+    if work.sides[1].place.leaning:
+        begin_yaw(work, roll)
+    else:
+        turning = fabs(rate_of(work.inputs.left_rail_roll)) + fabs(rate_of(work.inputs.right_rail_roll))
+        begin_yaw(work, roll)
+        if turning != 0.0:
+            lean_both(left_tables, right_tables, work.inputs, work.sides, roll)
+
+
+def begin_yaw(work: Work, roll: float):
+    """Place wheels that begin to yaw as yawed ones."""
+    yaw = work.inputs.yaw
+    if yaw == 0.0 and rate_of(yaw) != 0.0:
+        work.sides[1].place.sin_yaw = sin(yaw)
+        work.sides[1].place.cos_yaw = cos(yaw)
+        work.sides[1].place.yawed = True
+        work.sides[0].place.sin_yaw = -sin(yaw)
+        work.sides[0].place.cos_yaw = cos(yaw)
+        work.sides[0].place.yawed = True
+        for index in range(2):
+            place = work.sides[index].place
+            if place.leaning:
+                place.track_sin_yaw = place.sin_yaw
+                place.track_cos_yaw = place.cos_yaw
+        turn_both(work.sides, roll)
+
+
+def follow_minimum(tables: Tables, work: Work, index: int):
+    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of
+    wheel and rail agree, mismatch(y) = 0."""
+    side = work.sides[index]
+    at = work.sides[index].place
+    y = held(side.best_y)
+    gap, mismatch, rate = vertical_gap(tables, at, y)
+    y = moving(y, -mismatch / held(rate))
+    gap, mismatch, rate = vertical_gap(tables, at, y)
+    side.best_y = y
+    side.best = moving(side.best, gap)
+
+
+def follow_roll(left_tables: Tables, right_tables: Tables, work: Work):
+    """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for
+    how it follows the roll."""
+    roll = held(work.wheelset.roll)
+    place_moving(left_tables, right_tables, work, roll)
+    left = held(work.sides[0].best_y)
+    right = held(work.sides[1].best_y)
+    gap_left, mismatch_left, rate_left = vertical_gap(left_tables, work.sides[0].place, left)
+    gap_right, mismatch_right, rate_right = vertical_gap(right_tables, work.sides[1].place, right)
+    lever = (gap_per_roll(right_tables, work.sides[1].place, right)
+             + gap_per_roll(left_tables, work.sides[0].place, left))
+    return moving(roll, -(gap_right - gap_left) / held(lever))
+
+
+def follow_gaps(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float):
+    """How much lower than ``height`` [m] the smallest gaps of the left and the right side are [m], for this
+    ``roll`` and this reference."""
+    set_reference(work.sides, height)
+    place_moving(left_tables, right_tables, work, roll)
+    left, mismatch, rate = vertical_gap(left_tables, work.sides[0].place, held(work.sides[0].best_y))
+    right, mismatch, rate = vertical_gap(right_tables, work.sides[1].place, held(work.sides[1].best_y))
+    return left - height, right - height
+
+
+def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
+    """The rigid roll [rad] over rolled rails: roll and vertical shift let both gaps end at the reference,
+    which moves with them."""
+    roll = held(work.wheelset.roll)
+    height = held(work.wheelset.vertical_shift)
+    left, right = follow_gaps(left_tables, right_tables, work, roll, height)
+    residual_left = rate_of(left)
+    residual_right = rate_of(right)
+    left, right = follow_gaps(left_tables, right_tables, work, roll, seeded(height, 1.0))
+    left_height = rate_of(left) - residual_left
+    right_height = rate_of(right) - residual_right
+    left, right = follow_gaps(left_tables, right_tables, work, seeded(roll, 1.0), height)
+    left_roll = rate_of(left) - residual_left
+    right_roll = rate_of(right) - residual_right
+    determinant = left_height * right_roll - right_height * left_roll
+    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
+    roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
+    set_reference(work.sides, seeded(height, height_rate))
+    return seeded(roll, roll_rate)
+
+
+def follow_position(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
+                    height: float):
+    """Both sides of an elastic wheelset at ``roll`` and ``height``, each under its load."""
+    set_reference(work.sides, height)
+    place_moving(left_tables, right_tables, work, roll)
+    follow_minimum(left_tables, work, 0)
+    balance_side(left_tables, work, state, 0, side_force(work, 0), height)
+    follow_minimum(right_tables, work, 1)
+    balance_side(right_tables, work, state, 1, side_force(work, 1), height)
+
+
+def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+    """The elastic position: the residuals of both sides' heights vanish, over height and roll.
+
+    Whether it does not: then the wheelset is where a side's load jumps past its force
+    (elastic.bracket_height), and no equation gives the rate of that place.
+    """
+    roll = work.wheelset.roll
+    height = work.wheelset.vertical_shift
+    left = work.supports[0]
+    right = work.supports[1]
+    follow_position(left_tables, right_tables, work, state, held(roll), held(height))
+    if fabs(left.height - height) + fabs(right.height - height) > UNBALANCED:
+        return True
+    residual_left = rate_of(left.height)
+    residual_right = rate_of(right.height)
+    follow_position(left_tables, right_tables, work, state, held(roll), seeded(height, 1.0))
+    left_height = rate_of(left.height) - residual_left - 1.0
+    right_height = rate_of(right.height) - residual_right - 1.0
+    follow_position(left_tables, right_tables, work, state, seeded(roll, 1.0), held(height))
+    left_roll = rate_of(left.height) - residual_left
+    right_roll = rate_of(right.height) - residual_right
+    determinant = left_height * right_roll - right_height * left_roll
+    if determinant == 0.0:
+        return True
+    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
+    roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
+    follow_position(left_tables, right_tables, work, state, seeded(roll, roll_rate),
+                    seeded(height, height_rate))
+    work.wheelset.roll = seeded(roll, roll_rate)
+    work.wheelset.vertical_shift = seeded(height, height_rate)
+    return False
+
+
+def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+    """Both sides of a wheelset at the height and roll of the inputs."""
+    roll = work.inputs.roll
+    height = work.inputs.vertical_shift
+    set_reference(work.sides, height)
+    place_moving(left_tables, right_tables, work, roll)
+    work.wheelset.roll = roll
+    work.wheelset.vertical_shift = height
+    if is_damped(right_tables):
+        open_given_motion(left_tables, right_tables, work)
+    follow_minimum(left_tables, work, 0)
+    load_at_height(left_tables, work, state, 0, height)
+    follow_minimum(right_tables, work, 1)
+    load_at_height(right_tables, work, state, 1, height)
+
+
+def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+    """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
+    left it; whether the rates are not defined (``follow_elastic``)."""
+    outcome = follow_wheelset(left_tables, right_tables, work, state)
+    if carries_friction(right_tables, work):
+        for i in range(LOAD_RATES):
+            follow_load(work)
+            outcome = follow_wheelset(left_tables, right_tables, work, state)
+    report(right_tables, work)
+    return outcome
+
+
+def follow_load(work: Work):
+    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken
+    to grow as the load, and what is left of its rate after one turn is put right in the next."""
+    for index in range(2):
+        support = work.supports[index]
+        share = carried_share(work, index)
+        support.friction_load = seeded(support.friction_load, rate_of(support.friction_load)
+                                       - held(support.friction_load) * rate_of(share) / held(share))
+
+
+def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+    """Contact of both wheels, resultant, creepages and creep forces with their rates; whether the rates are
+    not defined."""
+    mode = right_tables.mode
+    outcome = False
+    if mode == MODE_RIGID:
+        roll = follow_roll(left_tables, right_tables, work)
+        if work.sides[1].place.leaning:
+            roll = follow_leaning_roll(left_tables, right_tables, work)
+        place_moving(left_tables, right_tables, work, roll)
+        follow_minimum(left_tables, work, 0)
+        follow_minimum(right_tables, work, 1)
+        solve_rigid(left_tables, right_tables, work, state, roll)
+    if mode == MODE_ELASTIC:
+        outcome = follow_elastic(left_tables, right_tables, work, state)
+    if mode == MODE_COMPLIANT:
+        follow_compliant(left_tables, right_tables, work, state)
+    move_patches(left_tables, right_tables, work, state)
+    rub_patches(left_tables, right_tables, work)
+    sum_forces(right_tables, work)
+    return outcome

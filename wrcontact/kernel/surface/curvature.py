@@ -1,0 +1,57 @@
+"""Curvatures of wheel and rail: across the track as prepared once (prepare/curvatures.py) and read off along
+the profiles, and that of the wheel along the track.
+"""
+
+from math import sqrt
+from typing import Final
+
+from ..layout import LONGITUDINAL_BASIC, CurvatureTable, Place, Tables
+from .locus import around_wheel
+from .tables import table_cell
+
+#: Smallest share of the wheel's own 1/r that is left for the longitudinal curvature of a strongly yawed
+#: flange root [-].
+CURVATURE_FLOOR: Final[float] = 0.05
+
+
+def profile_curvature(table: CurvatureTable, y: float):
+    """Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
+    that end."""
+    cell, share = table_cell((y - table.start) * table.per_metre, table.count - 1.0)
+    before = table.curvatures[cell]
+    return before + share * (table.curvatures[cell + 1] - before)
+
+
+def relative_curvature(tables: Tables, y: float, abscissa: float):
+    """B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
+    the source's eq. (6.5)."""
+    wheel = profile_curvature(tables.wheel_curvature, y)
+    rail = profile_curvature(tables.rail_curvature, abscissa)
+    return 0.5 * (wheel + rail)
+
+
+def longitudinal_curvature(tables: Tables, place: Place, z: float, slope: float, bend: float):
+    """Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
+    ``slope`` [-] and second derivative ``bend`` [1/m].
+
+    effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
+    in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
+    cos(delta) / r, the source's eq. (6.1). basic: 1/r.
+    """
+    r = place.radius + z
+    curvature = 1.0 / r
+    if tables.longitudinal == LONGITUDINAL_BASIC:
+        return curvature
+    if not place.yawed:
+        curvature = 1.0 / (r * sqrt(1.0 + slope * slope))
+    else:
+        sin_phi, cos_phi = around_wheel(place, slope)
+        e1 = place.cos_yaw
+        e2 = place.sin_yaw * place.cos_roll
+        e3 = place.sin_yaw * place.sin_roll
+        around = e1 * cos_phi - e3 * sin_phi
+        steep = sqrt(1.0 + slope * slope)
+        curvature = (around * around / r - bend * e2 * e2) / steep
+        if curvature < CURVATURE_FLOOR / (r * steep):
+            curvature = CURVATURE_FLOOR / (r * steep)
+    return curvature
