@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.cases import system
+from tests.helpers.cases import MODELS, system
 from tests.helpers.inside import work_of
 from tests.helpers.motion import creepages
 from wrcontact.interface.motion import MOTION as MOTION_INPUTS
 from wrcontact.interface.rails import RAILS
 
 RADIUS = 0.46
-MODELS = ("hertz", "analyn", "analyn_strip")
 #: A motion in which everything moves.
 MOTION = dict(speed=25.0, lateral_velocity=0.04, yaw_rate=0.06, wheel_rate=55.0, track_curvature=1 / 400)
 #: Tread, flange root and flange with yaw, and two patches.

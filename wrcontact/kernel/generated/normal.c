@@ -71,6 +71,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count);
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
@@ -1886,7 +1887,8 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
  *
- * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+ * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a branch here; see
+ * ``NormalModel`` in wrcontact/methods/normal.py for its duties.
  *
  * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
@@ -1976,6 +1978,14 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
         strip_contact__strip_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     }
     return 0;
+}
+
+/* Whether the model has a form for the first trials of an equilibrium, a per cent off. */
+static inline bool normal_contact__has_coarse_form(array_double_1d tables)
+{
+    bool result;
+    result = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP;
+    return result;
 }
 
 
