@@ -1,7 +1,7 @@
 """Errors of the models of creep forces against the complete theory of steady rolling, patch by patch
-(docs/rolling.md), and quoted errors of CONTACT's fast methods.
+(docs/rolling.md), quoted errors of CONTACT's fast methods, and what the models cost.
 
-    python -m benchmarks tangential_errors
+    python -m benchmarks tangential_errors tangential_times
     python -m benchmarks.creep       writes data/creep/held_out.json, about two minutes
 
 An error is the length of the difference of the force vectors over mu N, or that of the moments over
@@ -14,19 +14,26 @@ uses), each of which carries at least a tenth of its wheel's load.  Creepages: r
 in which the linear theory uses up the friction, 0.2 ... 8 of them, log-uniform; friction 0.1 ... 0.6.
 """
 
+import itertools
 import json
 import math
+import tempfile
 
 import numpy as np
 
+import wrcontact
 from data.creep_cases import CREEP, MM, Case, Model, cases, read, summary
 from wrcontact.creep import elliptic_patch, outlined_patch
+from wrcontact.creep.forces import model_tables
 from wrcontact.halfspace.rolling import Outline, outline_of_patch, roll_ellipse, roll_outline
 from wrcontact.halfspace.rolling.nodes import creep_coefficients
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding.library import default_kernel, span
 from wrcontact.progress import tracked
 
-from . import random_poses
+from . import random_poses, times
+from .machine import Cost, cost, costs
+from .rows import fmu_step, python_fmu
 
 STORED = CREEP / "held_out.json"
 SEED, FIRST = 2112, 700_000
@@ -245,6 +252,121 @@ def quoted():
         found[label] = {each: {"force": summary([100.0 * np.hypot(*np.subtract(row[name], row["contact"]))
                                                  for row in rows])} for each, rows in here.items()}
     return found
+
+
+# ------------------------------------------------------------------------------------------------------ times
+
+
+# What a model costs alone, for one patch, and the whole element with it: steps of 1 ms of the trajectory that
+# the speed is judged by (times.py), at SPEED and with the lateral velocity and yaw rate that belong to it.  A
+# model's own time is the difference of a step with and without it, over the patches of a step; ANALYN, rigid.
+# The kernel's calls that cut a patch into strips and solve it are also timed by themselves, over and over on
+# some of the patches that are held out.
+
+SPEED = 20.0        # [m/s]
+WITHOUT, TIMED = "none", ("polach", "fastsim", "fastrip", "strips")
+ELEMENTS = {"ANALYN, rigid": {}, "ANALYN with strips, rigid": {"normal_model": "analyn_strip"},
+            "ANALYN, elastic": {"contact_mode": "elastic"},
+            "ANALYN with strips, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic"}}
+ALONE = "ANALYN, rigid"
+FMU = "ANALYN, rigid, FMU step through fmpy"
+#: Inputs of the FMU's steps, and their places among the kernel's.
+MOVED = {"lateral_shift": layout.IN_LATERAL_SHIFT, "yaw": layout.IN_YAW,
+         "normal_force": layout.IN_NORMAL_FORCE, "speed": layout.IN_SPEED,
+         "lateral_velocity": layout.IN_LATERAL_VELOCITY, "yaw_rate": layout.IN_YAW_RATE}
+#: Steps that are timed: one run from flange to flange and back.
+TIMED_STEPS = 900
+#: The same patch so many times, and which of the patches and ellipses that are held out.
+CALLS, EACH_PATCH, EACH_ELLIPSE = 1000, 8, 20
+#: Runs in a round of the element without elastic contact, whose steps are quick.
+REPEATS = {"rigid": 3, "elastic": 1}
+
+
+def tangential_times(effort):
+    """Rows by model: units and microseconds of a patch; and of a step of each of ELEMENTS, with the number of
+    patches of a step and the bytes of a row of outputs and of a wheelset's memory."""
+    count = min(TIMED_STEPS, effort.count // 3)
+    inputs = moving(count, TIMED_STEPS // count)
+    found = costs({(element, model): repeated(element, model, inputs) for element in ELEMENTS
+                   for model in (WITHOUT, *TIMED)}, effort)
+    patches, unit = patches_of(inputs), min(each.unit for each in found.values())
+    best = {key: Cost(each.seconds, unit) for key, each in found.items()}       # differences need one unit
+    without = best[ALONE, WITHOUT].seconds
+    return {**{model: alone(Cost((best[ALONE, model].seconds - without) / patches, unit))
+               for model in TIMED},
+            **{element: {model: best[element, model].units for model in (WITHOUT, *TIMED)}
+               for element in ELEMENTS},
+            FMU: fmu_steps(inputs, effort),
+            "by itself": {model: by_itself(model, effort.rounds) / unit for model in TIMED},
+            "whole": {"patches": patches, "row": 8 * layout.OUTPUT_COUNT,
+                      "wheelset": 8 * (layout.WORK_SIZE + layout.STATE_SIZE)}}
+
+
+def repeated(element, model, inputs):
+    """A call that makes REPEATS runs of the steps, and the number of steps that it makes."""
+    call, *_ = times.steps_of(ELEMENTS[element] | {"tangential_model": model}, inputs)
+    repeats = REPEATS[element.split(", ")[1]]
+    return (lambda: [call() for _ in range(repeats)]), repeats * len(inputs)
+
+
+def moving(count, every=1):
+    """Inputs (count, INPUT_COUNT) of the trajectory with velocities."""
+    inputs = times.inputs(count, every)
+    inputs[:, layout.IN_SPEED] = SPEED
+    inputs[:, layout.IN_FREE_ROLLING] = 1.0
+    inputs[:, [layout.IN_LEFT_FRICTION, layout.IN_RIGHT_FRICTION]] = 0.3
+    for place, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
+                      (layout.IN_YAW_RATE, layout.IN_YAW)):
+        inputs[:, place] = np.gradient(inputs[:, of], every * times.STEP)
+    return inputs
+
+
+def alone(found):
+    """A :class:`~benchmarks.machine.Cost` as it is kept."""
+    return {"units": found.units, "µs": found.microseconds}
+
+
+def patches_of(inputs):
+    """Mean number of patches of a step, both wheels."""
+    shift, yaw, force = inputs[:, [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]].T
+    table = wrcontact.ContactSystem(**ELEMENTS[ALONE]).evaluate_many(
+        shift, yaw, force, outputs=["left.patch_count", "right.patch_count"])
+    return float(np.mean(table.left.patch_count + table.right.patch_count))
+
+
+def fmu_steps(inputs, effort):
+    """Units of a step of the Python FMU by model: MOVED in, all outputs out."""
+    rows = inputs[:, list(MOVED.values())].tolist()
+
+    def run(step):
+        return (lambda: [step() for _ in rows]), len(rows)
+
+    with tempfile.TemporaryDirectory() as folder:
+        unpacked = python_fmu(folder)
+        found = costs({model: run(fmu_step(unpacked, itertools.cycle(rows), MOVED, tangential_model=model))
+                       for model in (WITHOUT, *TIMED)}, effort)
+    return {model: each.units for model, each in found.items()}
+
+
+def by_itself(model, rounds):
+    """Seconds of a patch that is cut into strips and solved, the mean over some cases."""
+    some = [*real_patches()[::EACH_PATCH], *ellipses()[::EACH_ELLIPSE]]
+    return float(np.mean([seconds_of(Model(model), case, rounds) for case in some]))
+
+
+def seconds_of(model, case, rounds):
+    """Seconds of one case; the arrays stay alive as long as the library works on them."""
+    model.forces(case)      # which writes the patch
+    patch, library = case.parts[0], default_kernel().library
+    array = model_tables(model.number, patch.youngs_modulus, patch.poisson_ratio)
+    tables, workspace = span(array), span(model.workspace)
+
+    def calls():
+        for _ in range(CALLS):
+            library.wrcontact_cut_patch(workspace)
+            library.wrcontact_solve_creep_force(tables, workspace)
+
+    return cost(calls, CALLS, rounds).seconds
 
 
 if __name__ == "__main__":

@@ -18,10 +18,10 @@ import numpy as np
 
 import data
 import wrcontact
+from wrcontact.halfspace.contact import solve_contact
+from wrcontact.halfspace.wheel_on_rail import wheel_on_rail
 from wrcontact.kernel import layout
 from wrcontact.progress import tracked
-
-from .studies.planar import planar_contact
 
 FORCE = 78.5e3  # [N]
 SHIFT, YAW = 6.6e-3, 0.02  # [m, rad] amplitudes of the timed runs
@@ -34,7 +34,6 @@ SIDES = ("left", "right")
 @cache
 def system(**options):
     return wrcontact.ContactSystem(**options)
-
 
 
 # ------------------------------------------------------------------------------------------------------ poses
@@ -278,3 +277,53 @@ def against_contact(model, count=None):
              for row in rows]
     return {"mean": np.mean(np.abs(errors), axis=0), "worst": np.max(np.abs(errors), axis=0),
             **dict(zip(names, errors))}
+
+
+# The half-space as it is usually taken, over one plane: wheel and rail along the normals of the plane that
+# touches them at the rigid contact point, and pressures that act on each other without regard to their
+# normals.  It is here for comparison alone: where a patch turns around the rail it is not the truth.
+
+REACH = 0.03             # [m] of the domain around the contact point
+
+
+def planar_contact(system, state, force):
+    """The right wheel's contact over the plane at its rigid contact point, under a ``force`` [N] along the
+    plane's normal.
+
+    Parameters
+    ----------
+    system : :class:`~wrcontact.ContactSystem` with rigid contact.
+    state : of this system, at one pose.
+
+    Returns
+    -------
+    HalfspaceContact
+        whose stations count from the contact point.
+
+    Raises
+    ------
+    ArithmeticError
+        where the solution is not found.
+    """
+    tables = system.stepper().tables
+    pair = wheel_on_rail(tables, 1, lateral_shift=state.inputs[layout.IN_LATERAL_SHIFT],
+                         yaw=state.inputs[layout.IN_YAW], roll=state.roll,
+                         vertical_shift=state.vertical_shift)
+    wheel = state.right
+    return solve_contact(plane_gap(pair, wheel.contact, wheel.contact_angle), (-REACH, REACH, -REACH, REACH),
+                         contact_modulus=tables[layout.SET_CONTACT_MODULUS], force=force)
+
+
+def plane_gap(pair, contact, angle):
+    """The gap over the plane through a rigid contact point with this contact ``angle`` [rad], as a function
+    of x (n,) from there and s (m,) [m]."""
+    def gap(x, s):
+        y, z = contact.y_track + s * math.cos(angle), contact.z_track - s * math.sin(angle)
+        normal = np.full(len(s), angle)
+        along = np.broadcast_to(x[:, None] + contact.x_track, (len(x), len(s)))
+        bow = 0.5 * x[:, None] ** 2 * math.cos(angle) / pair.radius
+        with np.errstate(invalid="ignore"):
+            return (pair.wheel_along(along, y, z, normal, bow + 0.0 * s)
+                    - pair.rail_along(y, z, normal, np.zeros(len(s))))
+
+    return gap

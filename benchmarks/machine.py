@@ -63,6 +63,15 @@ def cost(work, calls, rounds):
     return best
 
 
+def costs(works, effort):
+    """:class:`Cost` by name of ``works``, each a call and how many evaluations it makes: the smallest of
+    several passes over all of them, so that a disturbance of some seconds does not slow all rounds of one."""
+    best = {}
+    for name, (work, calls) in [*works.items()] * effort.passes:
+        best[name] = cost(work, calls, effort.rounds).least(best.get(name))
+    return best
+
+
 def restart():
     """Forget the measurements of the unit so far."""
     _units.clear()
@@ -98,7 +107,3 @@ def noise():
 def percentage(ratio):
     return f"{100 * (ratio - 1):.0f} %"
 
-
-def description():
-    """One line on the machine, for below a table."""
-    return f"{machine()}; the unit, {UNIT}, took {noise()}"

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from . import creep_times, profiles, rows, store, tables
+from . import profiles, rows, store, tables
 from .machine import UNIT
 
 BEGIN, END = "<!-- python -m benchmarks --write: {} -->", "<!-- end: {} -->"
@@ -68,7 +68,7 @@ def short_table(parts):
                  row(rows.DEFAULT_ROW, "ANALYN, the default"),
                  row(rows.STRIP_ROW, "strips, `analyn_strip`"),
                  row(rows.FMU_ROW, "ANALYN, step of the Python FMU", f" (native FMU: {native})"),
-                 creep_times.readme_row(parts),
+                 tables.readme_row(parts),
                  row(rows.HALFSPACE_FORM.format(0.01), "half-space, Python only"),
                  [name, time, "", *errors]])
 
@@ -81,7 +81,7 @@ ERRORS = f"Errors in {tables.TRIPLE}."
 MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
 
 TABLES = {
-    "short": Table(README, (*MODEL_PARTS, *creep_times.PARTS), short_table,
+    "short": Table(README, (*MODEL_PARTS, *tables.CREEP_PARTS), short_table,
                    "Errors of penetration / area / peak pressure at 20 positions from tread to flange at "
                    "78.5 kN; of creep forces |ΔF|/(μN) on\nrandom patches of wheelsets. A unit is the time "
                    "of `np.sqrt` of 2000 doubles on the same machine."),
@@ -94,13 +94,13 @@ TABLES = {
     "tolerances": Table(BENCHMARKS, ("tolerances",), tables.tolerance_table, ERRORS),
     "random": Table(BENCHMARKS, ("random_poses",), tables.random_table),
     "zones": Table(BENCHMARKS, ("zones",), tables.zone_table, ERRORS),
-    "creep_errors": Table(BENCHMARKS, ("tangential_errors",), creep_times.force_table),
-    "creep_moments": Table(BENCHMARKS, ("tangential_errors",), creep_times.moment_table),
-    "creep_times": Table(BENCHMARKS, ("tangential_times",), creep_times.time_table),
-    "creep_short": Table("docs/rolling.md", creep_times.PARTS, creep_times.short_table,
-                         creep_times.NOTE),
-    "creep_models": Table("docs/models.md", creep_times.PARTS, creep_times.model_table,
-                          creep_times.NOTE),
+    "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
+    "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
+    "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
+    "creep_short": Table("docs/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
+                         tables.CREEP_NOTE),
+    "creep_models": Table("docs/models.md", tables.CREEP_PARTS, tables.creep_model_table,
+                          tables.CREEP_NOTE),
     "curvature": Table(METHOD, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(METHOD, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
     "manchester": Table(METHOD, ("manchester",), tables.manchester_table),

@@ -14,8 +14,7 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, creep_times, errors, machine, profiles, random_poses, rows, store, times, work
-from .studies import curvature, searches
+from . import creep, curvature, errors, machine, profiles, random_poses, rows, searches, store, times
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -138,7 +137,7 @@ PARTS = {
     "tolerances": Part(ERRORS, lambda effort: random_poses.numerics(min(effort.count, TOLERANCES))),
     "random_poses": Part(ERRORS, random_errors),
     "zones": Part(ERRORS, lambda effort: random_poses.by_zone()),
-    "counts": Part(ERRORS, lambda effort: work.count_table(min(effort.count, COUNTED))),
+    "counts": Part(ERRORS, lambda effort: times.count_table(min(effort.count, COUNTED))),
     "choices": Part(ERRORS, lambda effort: errors.choice_changes()),
     "stations": Part(ERRORS, lambda effort: errors.station_errors()),
     "conicity": Part(ERRORS, lambda effort: profiles.conicities()),
@@ -152,9 +151,9 @@ PARTS = {
     "threads": Part(TIMES, thread_times),
     "station_times": Part(TIMES, lambda effort: timed(times.station_times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
-    "trajectory": Part(TIMES, lambda effort: work.measured(quick=effort is rows.QUICK)),
+    "trajectory": Part(TIMES, lambda effort: times.trajectory_times(quick=effort is rows.QUICK)),
     "derivative_times": Part(TIMES, lambda effort: timed(times.derivative_times(effort))),
-    "tangential_times": Part(TIMES, creep_times.measured),
+    "tangential_times": Part(TIMES, creep.tangential_times),
     "conformal": Part(STUDIES, lambda effort: errors.turning_patches(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),
     "curvature": Part(STUDIES, lambda effort: curvature.study(quick=effort is rows.QUICK)),

@@ -1,23 +1,35 @@
 """The rows that are timed, each with its errors: models by tolerance, strips and sweeps, the ways to call
-them.
+them, and the FMUs.
 
 A row is one wheelset: search, roll, and both wheels' patches.  Unless a row says otherwise, the poses follow
-a trajectory without yaw and are evaluated by evaluate_many.
+a trajectory without yaw and are evaluated by evaluate_many.  A step of an FMU sets inputs, steps and reads
+every output: the Python FMU's through fmpy's slave object, the native ones' by a C host, data/native_host.c,
+compiled by the system's ``cc`` against the archive alone.
 """
 
+import itertools
+import json
+import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from fmpy import extract, read_model_description
+from fmpy.fmi2 import FMU2Slave
 
 import data
+from data.native_host import MOVED, native_host, rows_text
 from wrcontact.methods import Analyn, Strip
 
 from . import errors
 from .errors import FORCE, anywhere, system, trajectory
-from .machine import cost
+from .machine import Cost, cost, unit
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
+FMU_STEPS = 2000
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
 FMU_ROW = "analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all outputs"
 NATIVE_ROW = "analyn, hunting with yaw, native FMU step from C, FMI {}.0: 5 inputs, all outputs"
@@ -49,21 +61,15 @@ QUICK = Effort(300, 3, 1, HALFSPACE[:2], EVERY)
 
 @dataclass
 class Row:
-    """One line of the table: ``work()`` makes ``calls`` evaluations; ``kind`` is its group and marker in the
-    picture."""
+    """One line of the table: ``cost()`` measures the :class:`Cost` of one evaluation; ``kind`` is its group
+    and marker in the picture."""
 
     name: str
     kind: str
-    work: Callable
-    calls: int
+    cost: Callable
     system: object
-    rounds: int
     every: int = 1
     setting: str = ""  # label in the picture
-
-    def cost(self):
-        """:class:`Cost` of one evaluation."""
-        return cost(self.work, self.calls, self.rounds)
 
     def errors(self):
         """Errors by name, as they are kept: mean and worst of both runs in %, or those of the rigid
@@ -85,60 +91,59 @@ def batch(system, poses, **options):
     return lambda: system.evaluate_many(shift, yaw, FORCE, **options)
 
 
+def batch_row(name, kind, effort, poses=None, setting="", outputs="all", **options):
+    """A row of evaluate_many over ``poses``, the trajectory without yaw by default, of the system with these
+    ``options``."""
+    of, poses = system(**options), trajectory(effort.count, yaw=0.0) if poses is None else poses
+    work = batch(of, poses, outputs=outputs)
+    return Row(name, kind, lambda: cost(work, effort.count, effort.rounds), of, setting=setting)
+
+
 def formulas(effort):
     """Geometry alone; Hertz."""
-    poses = trajectory(effort.count, yaw=0.0)
-    yield Row("geometry and roll alone", "geometry", batch(system(), poses, outputs="geometry"), effort.count,
-              system(), effort.rounds)
-    hertz = system(normal_model="hertz")
-    yield Row("Hertz", "Hertz", batch(hertz, poses), effort.count, hertz, effort.rounds)
+    yield batch_row("geometry and roll alone", "geometry", effort, outputs="geometry")
+    yield batch_row("Hertz", "Hertz", effort, normal_model="hertz")
 
 
 def ladders(effort):
     """ANALYN and strips at each of their tolerances, and ANALYN with the other longitudinal
     curvature."""
-    poses = trajectory(effort.count, yaw=0.0)
     for model in (Analyn, Strip):
         for tolerance, resolution in model.ladder.items():
-            of = system(normal_model=model(tolerance=tolerance))
-            yield Row(ladder_row(model, tolerance, resolution), model.name,
-                      batch(of, poses), effort.count, of, effort.rounds, setting=f"{tolerance:g}")
-    basic = system(longitudinal_curvature="basic")
-    yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic,
-              effort.rounds)
+            yield batch_row(ladder_row(model, tolerance, resolution), model.name, effort,
+                            setting=f"{tolerance:g}", normal_model=model(tolerance=tolerance))
+    yield batch_row("analyn, longitudinal curvature basic", "analyn", effort, longitudinal_curvature="basic")
 
 
 def halfspace(effort):
-    """The half-space at each tolerance, timed on the 20 positions."""
+    """The half-space at each tolerance, timed once on the 20 positions."""
     shift = data.columns(data.POSITIONS)["lateral_shift"]
     for tolerance in effort.halfspace:
         of = system(normal_model="halfspace", tolerance=tolerance)
-        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace", batch(of, (shift, 0.0 * shift)), len(shift),
-                  of, 1, effort.every, setting=f"{tolerance:g}")
+        work = batch(of, (shift, 0.0 * shift))
+        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace",
+                  lambda work=work: cost(work, len(shift), 1), of, effort.every, f"{tolerance:g}")
 
 
 def strips(effort):
     """Number of strips and sweeps, nodes as at the default tolerance."""
-    poses = trajectory(effort.count, yaw=0.0)
-    for sweeps in SWEEPS:
-        for strips in STRIPS:
-            of = system(normal_model="analyn_strip", strips=strips, sweeps=sweeps)
-            yield Row(f"analyn_strip, {strips} strips × {sweeps}", "strips", batch(of, poses), effort.count,
-                      of, effort.rounds, setting=f"× {sweeps}")
+    for sweeps, strips in itertools.product(SWEEPS, STRIPS):
+        yield batch_row(f"analyn_strip, {strips} strips × {sweeps}", "strips", effort,
+                        setting=f"× {sweeps}", normal_model="analyn_strip", strips=strips, sweeps=sweeps)
 
 
 def orders(effort):
     """Trajectory and random order of the poses, with and without yaw."""
-    for of in (system(), system(normal_model="analyn_strip")):
-        model = of.parameters["normal_model"]
+    for options in ({}, {"normal_model": "analyn_strip"}):
+        model = system(**options).parameters["normal_model"]
         for name, poses in (("trajectory with yaw", trajectory(effort.count)),
                             ("random poses", anywhere(effort.count, yaw=0.0)),
                             ("random poses with yaw", anywhere(effort.count))):
-            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds)
+            yield batch_row(f"{model}, {name}", "order", effort, poses, **options)
 
 
 def doors(effort):
-    """Ways to call: ``evaluate()`` and the stepper; :func:`fmu_row` has the FMU."""
+    """Ways to call: ``evaluate()`` and the stepper; :func:`hosted` has the FMUs."""
     shift, yaw = trajectory(effort.count)
     poses = list(zip(shift.tolist(), yaw.tolist()))
     stepper = system().stepper()
@@ -148,24 +153,81 @@ def doors(effort):
             stepper.step()
 
     stepper.inputs[3] = FORCE
-    yield Row("analyn, trajectory with yaw, `evaluate()` from Python", "door",
-              lambda: [system().evaluate(shift, yaw) for shift, yaw in poses], effort.count, system(),
-              effort.rounds)
-    yield Row("analyn, trajectory with yaw, stepper from Python", "door", step, effort.count, system(),
-              effort.rounds)
+    for name, work in (("`evaluate()`", lambda: [system().evaluate(shift, yaw) for shift, yaw in poses]),
+                       ("stepper", step)):
+        yield Row(f"analyn, trajectory with yaw, {name} from Python", "door",
+                  lambda work=work: cost(work, effort.count, effort.rounds), system())
 
 
-class NativeRow(Row):
-    """A native FMU's step, which its C host measures."""
-
-    def cost(self):
-        return self.work()
+# ------------------------------------------------------------------------------------------------------- FMUs
 
 
 def hosted(folder, effort):
     """Rows of the steps of all three FMUs, which are built in ``folder``."""
-    from . import fmus
+    step = fmu_step(python_fmu(folder), hunting_inputs())
+    yield Row(FMU_ROW, "FMU",
+              lambda: cost(lambda: [step() for _ in range(FMU_STEPS)], FMU_STEPS, effort.rounds), system())
+    for version, measure in native_costs(folder):
+        yield Row(NATIVE_ROW.format(version), "native", measure, system())
 
-    yield Row(FMU_ROW, "FMU", fmus.steps(folder), fmus.STEPS, system(), effort.rounds)
-    for version, measure in fmus.measures(folder):
-        yield NativeRow(NATIVE_ROW.format(version), "native", measure, 0, system(), 0)
+
+def python_fmu(folder):
+    """The folder of the Python FMU, which is built and unpacked in ``folder``."""
+    from wrcontact.fmu import build_fmu
+
+    return extract(str(build_fmu(folder)), str(Path(folder, "unpacked")))
+
+
+def fmu_step(unpacked, inputs, moved=MOVED, **strings):
+    """A step, as an importer makes it, of an initialised FMU that runs in this process: its inputs ``moved``
+    get the next of ``inputs``; ``strings`` are its parameters by name."""
+    description = read_model_description(unpacked)
+    variables = description.modelVariables
+    slave = FMU2Slave(guid=description.guid, unzipDirectory=unpacked, instanceName="benchmark",
+                      modelIdentifier=description.coSimulation.modelIdentifier)
+    slave.instantiate()
+    named = {v.name: v.valueReference for v in variables}
+    slave.setString([named[name] for name in strings], list(strings.values()))
+    slave.setupExperiment()
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    references = [named[name] for name in moved]
+    reals, integers = ([v.valueReference for v in variables if v.causality == "output" and v.type == kind]
+                       for kind in ("Real", "Integer"))
+
+    def step():
+        slave.setReal(references, next(inputs))
+        slave.doStep(0.0, 1e-3)
+        slave.getReal(reals)
+        slave.getInteger(integers)
+
+    return step
+
+
+def hunting_inputs():
+    """Inputs MOVED of a hunting wheelset, without end: poses that change at every step, flange to flange."""
+    phase = np.linspace(0, 2 * np.pi, FMU_STEPS, endpoint=False)
+    shift, yaw = 5e-3 * np.sin(phase), 5e-3 * np.cos(phase)
+    force, transfer = 78.5e3 + 5e3 * np.sin(7 * phase), 0.1 * np.sin(3 * phase)
+    return itertools.cycle(np.column_stack((shift, yaw, 0 * phase, force, transfer)).tolist())
+
+
+def native_costs(folder):
+    """Yield the version of FMI and a function that returns the :class:`Cost` of a step over the hunting run,
+    for both native FMUs, which are built in ``folder``."""
+    from wrcontact.fmu.native import build_native_fmus
+
+    run = data.columns(data.HUNTING)
+    file = Path(folder, "rows.txt")
+    file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED}
+                               for k in range(len(run["lateral_shift"]))]))
+    for version, fmu in zip((2, 3), build_native_fmus(folder)):
+        host = native_host(fmu, version, Path(folder, f"native{version}"))
+        yield version, lambda host=host: host_cost(host, file)
+
+
+def host_cost(host, file):
+    """:class:`Cost` of a step, after a measurement of the unit."""
+    one = unit()
+    done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
+    return Cost(1e-6 * json.loads(done.stdout)["microseconds"], one)

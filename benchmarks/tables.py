@@ -1,24 +1,32 @@
-"""Tables in Markdown: each function writes one from the parts that were measured.  Those of creep forces are
-in creep_times.py."""
+"""Tables in Markdown: each function writes one from the parts that were measured."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from .errors import NEAR, TURNING_MODELS
+from .creep import (
+    ALONE,
+    ELEMENTS,
+    EQUIVALENT,
+    FMU,
+    NEW_ELLIPSES,
+    NEW_PATCHES,
+    QUOTED,
+    SETS,
+    SPEED,
+    TIMED,
+    WITHOUT,
+    WITHOUT_MOMENT,
+)
+from .creep import MODELS as CREEP_MODELS
+from .errors import CHOICE_SHIFTS, NEAR, TURNING_MODELS
 from .random_poses import PERCENTILES, TOLERANCE, percentile_name
 from .rows import DEFAULT_ROW
-from .times import CONTACT_MODES
-from .work import COUNTS, FULL_RASTER
+from .times import CONTACT_MODES, COUNTS, FULL_RASTER
 
 TRIPLE = "% of penetration / area / peak pressure"
 MODELS = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean",
           "worst"]
-
-
-def markdown(title, header, rows):
-    """A table with a title."""
-    return f"### {title}\n\n{grid(header, rows)}\n"
 
 
 def grid(header, rows, words=1):
@@ -32,9 +40,24 @@ def line(cells):
     return f"| {' | '.join(str(cell) for cell in cells)} |"
 
 
+def listed(part, header, columns, words=1):
+    """A function that writes a table of one part: the name of each row, and its ``columns``, by name with the
+    form of their numbers."""
+    def text(parts):
+        return grid(header, [[name, *(form(row[column]) for column, form in columns.items())]
+                             for name, row in parts[part]["rows"].items()], words)
+
+    return text
+
+
 def figure(value):
     """A number with at most one decimal, without powers of ten."""
     return f"{value:,.0f}" if abs(value) >= 99.5 else f"{value:.1f}"
+
+
+def decimals(count):
+    """A form with so many digits after the point."""
+    return lambda value: f"{value:.{count}f}"
 
 
 def percent(shares):
@@ -124,36 +147,28 @@ def skip_table(parts):
                  for name, row in parts["skip_times"]["rows"].items()])
 
 
-def count_table(parts):
-    columns = [FULL_RASTER, *COUNTS]
-    return grid(["per wheelset", *columns], [[name, *(figure(row[column]) for column in columns)]
-                                             for name, row in parts["counts"]["rows"].items()])
-
-
-def growth_table(parts):
-    return grid(["wheelsets", "units each", "µs each"], [[name, figure(row["units"]), figure(row["µs"])]
-                                                         for name, row in parts["growth"]["rows"].items()])
-
-
-def thread_table(parts):
-    return grid(["threads", "µs a wheelset", "speed-up"], [[name, figure(row["µs"]), f"{row['gain']:.2f}"]
-                                                           for name, row in parts["threads"]["rows"].items()])
+count_table = listed("counts", ["per wheelset", FULL_RASTER, *COUNTS],
+                     dict.fromkeys((FULL_RASTER, *COUNTS), figure))
+growth_table = listed("growth", ["wheelsets", "units each", "µs each"], {"units": figure, "µs": figure})
+thread_table = listed("threads", ["threads", "µs a wheelset", "speed-up"],
+                      {"µs": figure, "gain": decimals(2)})
+trajectory_table = listed("trajectory", ["1 ms steps", "units", "asked", "µs", *COUNTS],
+                          dict.fromkeys(("units", "asked", "µs", *COUNTS), figure))
+derivative_table = listed("derivative_times", ["step and one derivative", "units", "µs"],
+                          {"units": figure, "µs": figure})
 
 
 # ----------------------------------------------------------------------------------------------- random
 
 
-def tolerance_table(parts):
-    columns = list(map(percentile_name, PERCENTILES))
-    return grid(["numerics", *columns, "where"],
-                [[name, *(three(row[column]) for column in columns), row["where"]]
-                 for name, row in parts["tolerances"]["rows"].items()])
+PERCENTS = dict.fromkeys(map(percentile_name, PERCENTILES), three)
+tolerance_table = listed("tolerances", ["numerics", *PERCENTS, "where"], {**PERCENTS, "where": str})
 
 
 def random_table(parts):
     """Errors by percentile, and the worst wheels."""
     found = parts["random_poses"]["rows"]
-    columns = ["mean", *map(percentile_name, PERCENTILES)]
+    columns = ["mean", *PERCENTS]
     models = [name for name in found if name != "poses"]
     lines = [grid(["model", *columns, "not solved"],
                   [[name, *(three(found[name][column]) for column in columns), found[name]["refused"]]
@@ -179,16 +194,27 @@ def zone_table(parts):
 # --------------------------------------------------------------------------------------------- other pages
 
 
-def choice_table(parts):
-    found = parts["choices"]["rows"]
-    shifts = list(next(iter(found.values())))
-    return grid(["ANALYN with", *shifts], [[name, *(signed(row[shift]) for shift in shifts)]
-                                           for name, row in found.items()])
-
-
 def signed(values):
     """Changes with their signs."""
     return " / ".join(f"{value:+.1f}".replace("-", "−") for value in values)
+
+
+choice_table = listed("choices", ["ANALYN with", *CHOICE_SHIFTS], dict.fromkeys(CHOICE_SHIFTS, signed))
+benchmark_table = listed("en15302", [
+    "case", "wheels", "amplitudes", "inside the limits of the value", "inside either limits",
+    "conicity: mean deviation", "largest", "rolling radius difference: mean distance [mm]", "largest"],
+    {"wheel": str, "amplitudes": str, "value": str, "either": str, "mean": decimals(4), "worst": decimals(4),
+     "curve mean": decimals(3), "curve worst": decimals(3)})
+manchester_table = listed("manchester",
+                          ["`contact_mode`", f"up to {NEAR} mm of shift [µrad]", "beyond [µrad]"],
+                          {"near": figure, "beyond": figure})
+trial_table = listed("elastic_trials", ["trials of a pose", "mean", "99 of 100", "most"],
+                     {"mean": figure, "99 %": figure, "most": figure})
+roll_table = listed("elastic_roll",
+                    ["yaw", "largest change of the roll in 1 µm [µrad]", "at, either side [mm]"],
+                    {"step": figure, "at": decimals(4)})
+figure_table = listed("source_figures", ["figure", "the source says", "", "we find", "the number"],
+                      dict.fromkeys(("claim", "verdict", "finding", "key"), str), words=5)
 
 
 def station_table(parts):
@@ -204,50 +230,10 @@ def conicity_table(parts):
                 [[name, *(f"{value:.3f}" for value in row["conicity"])] for name, row in found.items()])
 
 
-def benchmark_table(parts):
-    header = ["case", "wheels", "amplitudes", "inside the limits of the value", "inside either limits",
-              "conicity: mean deviation", "largest", "rolling radius difference: mean distance [mm]",
-              "largest"]
-    return grid(header, [[name, row["wheel"], row["amplitudes"], row["value"], row["either"],
-                          *(f"{row[column]:.4f}" for column in ("mean", "worst")),
-                          *(f"{row[column]:.3f}" for column in ("curve mean", "curve worst"))]
-                         for name, row in parts["en15302"]["rows"].items()])
-
-
-def manchester_table(parts):
-    return grid(["`contact_mode`", f"up to {NEAR} mm of shift [µrad]", "beyond [µrad]"],
-                [[name, figure(row["near"]), figure(row["beyond"])]
-                 for name, row in parts["manchester"]["rows"].items()])
-
-
 def elastic_table(parts):
     return grid(["units a step", *CONTACT_MODES],
                 [[name, *(figure(row[mode]["units"]) for mode in CONTACT_MODES)]
                  for name, row in parts["elastic_times"]["rows"].items()])
-
-
-def trial_table(parts):
-    return grid(["trials of a pose", "mean", "99 of 100", "most"],
-                [[name, *(figure(row[column]) for column in ("mean", "99 %", "most"))]
-                 for name, row in parts["elastic_trials"]["rows"].items()])
-
-
-def trajectory_table(parts):
-    return grid(["1 ms steps", "units", "asked", "µs", *COUNTS],
-                [[name, *(figure(row[column]) for column in ("units", "asked", "µs", *COUNTS))]
-                 for name, row in parts["trajectory"]["rows"].items()])
-
-
-def roll_table(parts):
-    return grid(["yaw", "largest change of the roll in 1 µm [µrad]", "at, either side [mm]"],
-                [[name, figure(row["step"]), f"{row['at']:.4f}"]
-                 for name, row in parts["elastic_roll"]["rows"].items()])
-
-
-def derivative_table(parts):
-    return grid(["step and one derivative", "units", "µs"],
-                [[name, figure(row["units"]), figure(row["µs"])]
-                 for name, row in parts["derivative_times"]["rows"].items()])
 
 
 def curvature_table(parts):
@@ -288,12 +274,6 @@ def source_tables(parts):
                        for table in parts["source_searches"]["rows"].values())
 
 
-def figure_table(parts):
-    return grid(["figure", "the source says", "", "we find", "the number"],
-                [[number, row["claim"], row["verdict"], row["finding"], row["key"]]
-                 for number, row in parts["source_figures"]["rows"].items()], words=5)
-
-
 # ------------------------------------------------------------------------------------------ patches that turn
 
 
@@ -312,3 +292,103 @@ def conformal_table(parts):
                 [[name, *(" / ".join(f"{value:.2f}" if name in ("mean", "worst") else f"{value:+.2f}"
                                      for value in rows[model][name]) for model in TURNING_MODELS)]
                  for name in names])
+
+
+# ----------------------------------------------------------------------------------------------- creep forces
+
+
+CREEP_NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses "
+              "on which no constant of a model was chosen. Units: of one patch.")
+CREEP_PARTS = ("tangential_errors", "tangential_times")
+#: What docs/models.md says of the models: description, and what to use it for.
+WORDS = {
+    "none": ("no friction", "normal contact alone"),
+    "strips": ("coupled strips on the patch as it is, corrected by exact solutions of ellipses",
+               "simulations"),
+    "fastrip": ("strip theory joined with FASTSIM", "comparison with other programs"),
+    "fastsim": ("Kalker's simplified theory", "comparison with other programs"),
+    "polach": ("Polach's formula for one ellipse", "rough studies with little spin"),
+    "halfspace": ("complete theory of steady rolling", "reference; Python only, 0.1 s a patch"),
+}
+
+
+def creep_force_table(parts):
+    """Errors of the force, model by model."""
+    return error_table(parts, "force", [*CREEP_MODELS, EQUIVALENT, *QUOTED])
+
+
+def creep_moment_table(parts):
+    """Errors of the moment of the models that have one."""
+    return error_table(parts, "moment", [*(name for name in CREEP_MODELS if name not in WITHOUT_MOMENT),
+                                         EQUIVALENT])
+
+
+def error_table(parts, kind, names):
+    found = parts["tangential_errors"]["rows"]
+    return grid([f"{kind}: mean / 95 of 100 / worst [%]",
+                 *(f"{label} ({found['cases'][label]})" for label in SETS)],
+                [[f"{name} ({SOURCE.split(', other')[0]})" if name in QUOTED else name,
+                  *(precise(found[name][label][kind]) if label in found[name] else "" for label in SETS)]
+                 for name in names])
+
+
+def precise(values):
+    """Numbers as "0.12 / 3.4 / 5.6"."""
+    return " / ".join(f"{value:.2f}" if value < 0.995 else figure(value) for value in values)
+
+
+def creep_time_table(parts):
+    """Models alone, then the element with each of them."""
+    found = parts["tangential_times"]["rows"]
+    whole = found["whole"]
+    models = (WITHOUT, *TIMED)
+    rows = [["one patch", "", *(figure(found[model]["units"]) for model in TIMED)],
+            ["one patch [µs]", "", *(figure(found[model]["µs"]) for model in TIMED)],
+            ["one patch, by itself", "", *(figure(found["by itself"][model]) for model in TIMED)],
+            *([f"wheelset, {element}", *(figure(found[element][model]) for model in models)]
+              for element in (*ELEMENTS, FMU))]
+    return (f"{grid(['units', *models], rows)}\n\nA step has {whole['patches']:.2f} patches in the mean. A "
+            f"row of all outputs has {whole['row']:,.0f} bytes, the memory of a wheelset "
+            f"{whole['wheelset'] / 1e3:,.0f} kB, whatever the model.")
+
+
+def creep_short_table(parts):
+    """Errors on the cases that are held out, and what a patch costs."""
+    errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
+    rows = []
+    for name, (model, _) in CREEP_MODELS.items():
+        kinds = ("force",) if name in WITHOUT_MOMENT else ("force", "moment")
+        cells = [precise(errors[name][label][kind]) for kind in kinds
+                 for label in (NEW_PATCHES, NEW_ELLIPSES)]
+        rows.append([name, *cells, *[""] * (4 - len(cells)), figure(times["by itself"][model]),
+                     figure(times[model]["units"])])
+    return grid(["model", "force: patches", "ellipses", "moment: patches", "ellipses", "units by itself",
+                 "in a step"], rows)
+
+
+def creep_model_table(parts):
+    """The models as docs/models.md has them."""
+    errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
+    rows = []
+    for name, (description, use) in WORDS.items():
+        cells = ["", "", ""]
+        if name in errors:
+            cells = [*(precise(errors[name][label]["force"]) for label in (NEW_PATCHES, NEW_ELLIPSES)),
+                     figure(times[name]["units"])]
+        elif name == "halfspace":
+            cells = ["0 by definition", "0 by definition", ""]
+        default = " (default)" if name == WITHOUT else ""
+        rows.append([f'`"{name}"`{default}', description, use, *cells])
+    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses",
+                 "units"], rows, words=3)
+
+
+def readme_row(parts):
+    """The README's row of creep forces: time of a whole step with ANALYN, error on the patches that are held
+    out."""
+    errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
+    mean, _, worst = errors["strips"][NEW_PATCHES]["force"]
+    units = times[ALONE]["strips"]
+    one = times["strips"]["µs"] / times["strips"]["units"]
+    return [f"ANALYN and creep forces by strips, at {SPEED:g} m/s", figure(units * one), figure(units),
+            f"creep force: {precise([mean])}", precise([worst])]

@@ -1,7 +1,13 @@
 """Times beside those of the models: of what can be skipped, with the number of wheelsets and of threads, with
-the number of stations, of elastic wheelsets, and of derivatives."""
+the number of stations, of elastic wheelsets, and of derivatives; the work of a step, counted by the kernel
+itself (the record State in wrcontact/kernel/layout/arrays.py); and the trajectory that the speed is judged
+by: a wheelset that hunts from flange to flange, with a faster motion on top and a load that changes.
 
-import itertools
+    python -m benchmarks trajectory
+
+One step of 1 ms after another by a single call of the stepper; a step has both wheels and all outputs.
+"""
+
 import math
 import time
 from collections.abc import Callable
@@ -10,10 +16,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import wrcontact
 from wrcontact.kernel import layout
 
 from .errors import FORCE, MODELS, STATION_NUMBERS, anywhere, hunting, inputs_of, system, trajectory
-from .machine import Cost, cost, unit
+from .machine import Cost, cost, costs, unit
 from .rows import batch
 
 NO_YAW, COARSE = "no yaw", "tolerance 0.02 instead of 0.0015"
@@ -131,13 +138,8 @@ def sunk(poses):
 def wheelsets(numbers, rounds):
     """(number, cost per wheelset) of evaluate_many for each number of random poses."""
     for number in numbers:
-        poses, repeats = anywhere(number), max(1, 300 // number)
-        yield number, cost(repeated(batch(system(), poses), repeats), number * repeats, rounds)
-
-
-def repeated(work, times):
-    """A call that runs ``work`` so many times."""
-    return lambda: [work() for _ in range(times)]
+        work, repeats = batch(system(), anywhere(number)), max(1, 300 // number)
+        yield number, cost(lambda: [work() for _ in range(repeats)], number * repeats, rounds)
 
 
 def threads(number, rounds, counts=THREADS):
@@ -145,7 +147,8 @@ def threads(number, rounds, counts=THREADS):
 
     The kernel is called through ctypes, which lets other threads run meanwhile; a batch is one call.
     """
-    steppers = [batch_of(number, seed) for seed in range(max(counts))]
+    inputs = inputs_of(trajectory(number))
+    works = [steps_of({}, inputs)[0] for _ in range(max(counts))]
     best = {}
     for _ in range(rounds):
         unit()
@@ -153,18 +156,10 @@ def threads(number, rounds, counts=THREADS):
             with ThreadPoolExecutor(count) as pool:
                 list(pool.map(lambda work: None, range(count)))  # start the threads before timing
                 start = time.perf_counter()
-                list(pool.map(lambda work: work(), steppers[:count]))
+                list(pool.map(lambda work: work(), works[:count]))
                 seconds = (time.perf_counter() - start) / (count * number)
             best[count] = min(seconds, best.get(count, seconds))
     return [(count, seconds, best[counts[0]] / seconds) for count, seconds in best.items()]
-
-
-def batch_of(number, seed):
-    """A call that steps ``number`` poses of the trajectory at once, with a stepper of its own."""
-    inputs = inputs_of(trajectory(number))
-    outputs, status = np.empty((number, layout.OUTPUT_COUNT)), np.empty(number)
-    stepper = system().stepper()
-    return lambda: stepper.step_many(inputs, outputs, status)
 
 
 # ------------------------------------------------------------------- stations, elastic wheelsets, derivatives
@@ -172,12 +167,9 @@ def batch_of(number, seed):
 
 def station_times(effort):
     """By number: :class:`~benchmarks.machine.Cost` of a step of the trajectory without yaw."""
-    best, poses = {}, trajectory(effort.count, yaw=0.0)
-    for _ in range(effort.passes):
-        for number in STATION_NUMBERS:
-            work = batch(system(stations=number), poses)
-            best[str(number)] = cost(work, effort.count, effort.rounds).least(best.get(str(number)))
-    return best
+    poses = trajectory(effort.count, yaw=0.0)
+    return costs({str(number): (batch(system(stations=number), poses), effort.count)
+                  for number in STATION_NUMBERS}, effort)
 
 
 def sine():
@@ -192,32 +184,21 @@ def elastic_times(effort):
     shift, yaw = sine()
     stand = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     given = dict(vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
-    best = {}
-    for _ in range(effort.passes):
-        for case in itertools.product(MODELS, CONTACT_MODES):
-            pair = system(normal_model=case[0], contact_mode=case[1])
-            found = cost(lambda: pair.evaluate_many(shift, yaw, FORCE, **given), SINE_STEPS, effort.rounds)
-            best[case] = found.least(best.get(case))
+    best = costs({(model, mode): (batch(system(normal_model=model, contact_mode=mode), (shift, yaw), **given),
+                                  SINE_STEPS) for model in MODELS for mode in CONTACT_MODES}, effort)
     return {model: {mode: best[model, mode] for mode in CONTACT_MODES} for model in MODELS}
 
 
 def derivative_times(effort):
     """By case: :class:`~benchmarks.machine.Cost` of a step and a derivative along the lateral shift."""
-    works = {name: derivatives(options) for name, options in DERIVATIVES.items()}
-    best = {}
-    for _ in range(effort.passes):
-        for name, work in works.items():
-            best[name] = cost(work, DERIVATIVE_POSES, effort.rounds).least(best.get(name))
-    return best
+    return costs({name: (derivatives(options), DERIVATIVE_POSES) for name, options in DERIVATIVES.items()},
+                 effort)
 
 
 def derivatives(options):
     """A function that takes DERIVATIVE_POSES steps, each with its derivative."""
     stepper = system(**options).stepper()
-    shift, yaw = trajectory(DERIVATIVE_POSES)
-    inputs = inputs_of((shift, yaw))
-    stand = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
-    inputs[:, layout.IN_VERTICAL_SHIFT], inputs[:, layout.IN_ROLL] = stand.vertical_shift, stand.roll
+    inputs = standing(inputs_of(trajectory(DERIVATIVE_POSES)))
     along = np.eye(layout.INPUT_COUNT)[layout.IN_LATERAL_SHIFT]
 
     def work():
@@ -227,3 +208,131 @@ def derivatives(options):
             stepper._bound.derivative(along)
 
     return work
+
+
+# ----------------------------------------------------------------------------- work of a step, the trajectory
+
+
+COUNTS = {  # per wheelset; a scan searches one side at one roll for a smaller gap
+    "gap evaluations": layout.STATE_GAP_COUNT,
+    "scans": layout.STATE_SCAN_COUNT,
+    "roll iterations": layout.STATE_ROLL_COUNT,
+    "normal-gap nodes": layout.STATE_NODE_COUNT,
+    "force solves": layout.STATE_SOLVE_COUNT,
+    "strip systems": layout.STATE_STRIP_COUNT,
+}
+FULL_RASTER = "full raster: gap evaluations"  # without the bounds of the search
+ROOT, FLANGE = 4.848e-3, 6.252e-3  # [m] where the contact jumps without yaw
+
+
+def classes(count):
+    """Poses by class."""
+    turn = np.linspace(0.0, 1.0, count)
+    straight = 0.0 * turn
+    return {
+        "trajectory": trajectory(count, yaw=0.0),
+        "trajectory with yaw": trajectory(count),
+        "random": anywhere(count, yaw=0.0),
+        "random with yaw": anywhere(count),
+        "tread (0 … 4.8 mm), slowly": (ROOT * turn, straight),
+        "flange root (4.85 … 6.25 mm), slowly": (ROOT + (FLANGE - ROOT) * turn, straight),
+        "flange (6.25 … 7.5 mm), slowly": (FLANGE + (7.5e-3 - FLANGE) * turn, straight),
+    }
+
+
+def per_wheelset(model, poses):
+    """Mean counts (6,) of :data:`COUNTS` over a model's poses."""
+    inputs = inputs_of(poses)
+    call, stepper, status = steps_of({"normal_model": model}, inputs)
+    call()
+    if np.any(status != 0):
+        raise ArithmeticError(f"{np.sum(status != 0)} poses are not solved")
+    return stepper.state[list(COUNTS.values())] / len(inputs)
+
+
+def raster():
+    """Number of nodes on the wheel: gap evaluations of a scan without bounds."""
+    return layout.Tables.at(system()._tables).scan.count
+
+
+def count_table(count):
+    """Rows by model and class of poses: gap evaluations without bounds, and each of COUNTS."""
+    rows = {}
+    for model in ("analyn", "analyn_strip"):
+        for name, poses in classes(count).items():
+            found = dict(zip(COUNTS, per_wheelset(model, poses)))
+            rows[f"{model}, {name}"] = {FULL_RASTER: raster() * found["scans"], **found}
+    return rows
+
+
+STEP = 1e-3                 # [s]
+STEPS, ROUNDS = 5_000, 3    # which are timed
+WHOLE = 20_000              # from these, work is counted
+#: Name of the row, parameters, and the units of ``np.sqrt`` of 2000 doubles that a step is to cost at most;
+#: None where none is asked for.
+ROWS = {
+    "Hertz, rigid": (dict(normal_model="hertz"), 1.6),
+    "ANALYN, rigid": (dict(), 6.0),
+    "strips, rigid": (dict(normal_model="analyn_strip"), 17.0),
+    "ANALYN, compliant": (dict(contact_mode="compliant"), 8.5),
+    "ANALYN, elastic": (dict(contact_mode="elastic"), 31.0),
+    "strips, compliant": (dict(contact_mode="compliant", normal_model="analyn_strip"), 20.0),
+    "strips, elastic": (dict(contact_mode="elastic", normal_model="analyn_strip"), 62.0),
+}
+
+
+def motion(count, every=1):
+    """Lateral shift [m], yaw [rad] and force [N] (count,) of each ``every``-th step."""
+    turn = 2 * np.pi * STEP * every * np.arange(count)
+    return (6e-3 * np.sin(1.1 * turn) + 0.4e-3 * np.sin(7 * turn), 4e-3 * np.cos(1.1 * turn),
+            78.5e3 * (1 + 0.2 * np.sin(3 * turn)))
+
+
+def inputs(count, every=1):
+    """Inputs (count, INPUT_COUNT) of the trajectory."""
+    shift, yaw, force = motion(count, every)
+    return inputs_of((shift, yaw), force)
+
+
+def standing(inputs):
+    """These inputs with height and roll where the wheelset stands in elastic contact, for the compliant
+    form."""
+    shift, yaw, force = inputs[:, [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]].T
+    stand = system(contact_mode="elastic").evaluate_many(shift, yaw, force)
+    inputs[:, layout.IN_VERTICAL_SHIFT], inputs[:, layout.IN_ROLL] = stand.vertical_shift, stand.roll
+    return inputs
+
+
+def steps_of(parameters, rows):
+    """A call that makes a step of every row of inputs, the stepper that it uses, and the status (n,) that it
+    writes."""
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    outputs, status = np.empty((len(rows), layout.OUTPUT_COUNT)), np.empty(len(rows))
+    return lambda: stepper.step_many(rows, outputs, status), stepper, status
+
+
+def trajectory_steps(parameters, count, every=1):
+    """:func:`steps_of` the trajectory."""
+    rows = inputs(count, every)
+    return steps_of(parameters, standing(rows) if parameters.get("contact_mode") == "compliant" else rows)
+
+
+def work(parameters, count, every=1):
+    """Mean counts (6,) of :data:`COUNTS` a step, from a stepper that begins there."""
+    call, stepper, _ = trajectory_steps(parameters, count, every)
+    call()
+    return stepper.state[list(COUNTS.values())] / count
+
+
+def trajectory_times(quick=False):
+    """Rows by name: units and microseconds of a step, what was asked, and the counts."""
+    count, rounds = (5, 1) if quick else (STEPS, ROUNDS)
+    return {name: row_of(*ROWS[name], count, rounds) for name in ROWS}
+
+
+def row_of(parameters, asked, count, rounds):
+    """One row of :func:`trajectory_times`."""
+    took = cost(trajectory_steps(parameters, count)[0], count, rounds)
+    found = work(parameters, min(count, 2000), max(1, WHOLE // 2000))
+    return {"units": took.units, "asked": asked, "µs": took.microseconds,
+            **dict(zip(COUNTS, found.tolist()))}

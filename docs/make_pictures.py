@@ -98,7 +98,7 @@ def frames():
 def conformal():
     """Peak pressure over the arc and outline of the right wheel's patches at three poses, by both
     theories."""
-    from benchmarks.studies.planar import planar_contact
+    from benchmarks.errors import planar_contact
     from wrcontact.halfspace.edge import chords, edge_field
 
     figure = style.new_figure(10.5, 5.4)

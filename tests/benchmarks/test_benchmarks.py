@@ -1,6 +1,7 @@
 """The benchmarks run, their tables have all rows, and what they say about errors and counts
 holds; nothing about time."""
 
+import math
 import re
 from dataclasses import replace
 from itertools import pairwise
@@ -13,22 +14,22 @@ from benchmarks import (
     __main__,
     creep,
     errors,
-    fmus,
     machine,
     pages,
     parts,
     pictures,
     random_poses,
     rows,
+    searches,
     store,
     tables,
     times,
-    work,
 )
 from benchmarks.tables import PEERS, figure, grid
 from tests.helpers.fmus import needs_glibc
 from wrcontact.methods import Analyn, Strip
 from wrcontact.plots import style
+from wrcontact.study import Search3D
 
 LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
@@ -220,12 +221,12 @@ def test_a_pose_that_is_not_solved_is_an_error():
 
 
 def test_counts():
-    table = work.count_table(100)
+    table = times.count_table(100)
     assert len(table) == 14
     for name, count in table.items():
-        assert list(count) == [work.FULL_RASTER, *work.COUNTS]
+        assert list(count) == [times.FULL_RASTER, *times.COUNTS]
         # the bounds of the search
-        assert count["gap evaluations"] < count[work.FULL_RASTER] / 3
+        assert count["gap evaluations"] < count[times.FULL_RASTER] / 3
         assert 2 <= count["scans"] < 4 and count["force solves"] < 12
         assert (count["strip systems"] > 0) == name.startswith("analyn_strip")
 
@@ -244,11 +245,29 @@ def test_growth():
 
 @pytest.mark.full
 @needs_glibc
-def test_the_cost_of_native_fmus_is_measured(capsys):
-    fmus.report_native()
-    rows = re.findall(r"\| FMI (\d)\.0 \| ([\d.]+) \| ([\d.]+) \|", capsys.readouterr().out)
-    assert [version for version, *_ in rows] == ["2", "3"]
-    assert all(0.5 < float(units) < 200 for _, units, _ in rows)
+def test_the_cost_of_native_fmus_is_measured(tmp_path):
+    found = {version: measure().units for version, measure in rows.native_costs(tmp_path)}
+    assert list(found) == [2, 3]
+    assert all(0.5 < units < 200 for units in found.values())
+
+
+# --- the source's searches ----------------------------------------------------------------------------------
+
+
+@pytest.mark.check
+def test_comparison_tells_errors_and_failures():
+    system = wrcontact.ContactSystem()
+    poses = [(shift, math.radians(2)) for shift in (1e-3, 6e-3)]
+    row = searches.summary("3-D", True, list(searches.trials(system, Search3D(system, dx=1e-3), poses)))
+    assert row.poses == 2 and [trial.shift for trial in row.failed] == [6e-3]
+    assert row.roll_worst < 1e-6 and row.y_worst < 2e-4 and row.steps > 0 and row.units > 0
+
+
+def test_the_searches_fill_their_tables():
+    found = {"source_searches": {"rows": parts.source_searches(rows.QUICK)}}
+    text = tables.source_tables(found)
+    assert text.count("\n| --- | --- |") == 6    # one under the head of each table
+    assert "| denser nodes, dx and dy to 0.01 mm | 1 ... 3 deg | 0 of 4 |" in text
 
 
 # --- random poses -------------------------------------------------------------------------------------------
@@ -319,6 +338,25 @@ def test_tolerances_are_kept():
     poses, with a margin."""
     for name, row in random_poses.numerics(200).items():
         assert max(row["95 of 100"]) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, name
+
+
+def test_wheels_are_sorted_by_angle_and_number_of_patches():
+    """S1002 on UIC60 1:40: the tread at 0 mm, the flange root at 6 mm and the flange at 7 mm of a right
+    wheel, which at 5 mm touches in two places (the table of positions of docs/method.md)."""
+    found = random_poses.zones([at(shift) for shift in (0.0, 5e-3, 6e-3, 7e-3)])
+    right = [random_poses.ZONES[number] for number in found[1::2]]
+    assert right == ["tread", "two places", "flange root", "flange"]
+    # the left wheels are on the field side of their treads
+    assert not found[::2].any()
+
+
+def test_a_mirrored_pose_changes_the_wheels():
+    there, back = random_poses.zones([at(6e-3), at(-6e-3)]).reshape(2, 2)
+    assert there.tolist() == back[::-1].tolist()
+
+
+def at(shift):
+    return random_poses.Pose("UIC60", 0.025, shift, 0.0, 78.5e3)
 
 
 # --- the picture --------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks import creep, creep_times, pages, pictures, rows, store
+from benchmarks import creep, pages, pictures, rows, store, tables
 from data.creep_cases import cases, read
 from wrcontact.halfspace.rolling import Outline, roll_outline
 from wrcontact.kernel import layout
@@ -129,22 +129,22 @@ def test_what_the_page_says_of_the_strips():
 
 def test_the_wheelset_moves_as_it_stands():
     """Velocities are the slopes of lateral shift and yaw."""
-    inputs = creep_times.moving(900)
+    inputs = creep.moving(900)
     for rate, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
                      (layout.IN_YAW_RATE, layout.IN_YAW)):
         way = np.concatenate([[0.0], np.cumsum(0.5 * (inputs[1:, rate] + inputs[:-1, rate])) * 1e-3])
         assert inputs[:, of] - inputs[0, of] == pytest.approx(way, abs=2e-3 * np.ptp(inputs[:, of]))
-    assert set(inputs[:, layout.IN_SPEED]) == {creep_times.SPEED}
+    assert set(inputs[:, layout.IN_SPEED]) == {creep.SPEED}
 
 
 def test_times_are_measured_and_kept():
     """Every model alone and in every element, of few steps, and the same rows are kept."""
-    found = creep_times.measured(LITTLE)
+    found = creep.tangential_times(LITTLE)
     stored = store.load("tangential_times")["rows"]
-    assert list(found) == list(stored) == [*creep_times.TIMED, *creep_times.ELEMENTS,
-                                           creep_times.FMU, "by itself", "whole"]
-    for element in (*creep_times.ELEMENTS, creep_times.FMU):
-        assert list(found[element]) == list(stored[element]) == ["none", *creep_times.TIMED]
+    assert list(found) == list(stored) == [*creep.TIMED, *creep.ELEMENTS,
+                                           creep.FMU, "by itself", "whole"]
+    for element in (*creep.ELEMENTS, creep.FMU):
+        assert list(found[element]) == list(stored[element]) == ["none", *creep.TIMED]
         assert min(found[element].values()) > 0.0
     assert min(found["by itself"].values()) > 0.0 and 2.0 <= found["whole"]["patches"] <= 4.0
 
@@ -152,13 +152,13 @@ def test_times_are_measured_and_kept():
 def test_tables_have_every_row():
     parts = {name: store.load(name) for name in ("tangential_errors", "tangential_times")}
     count = len(creep.MODELS)
-    for text, lines in ((creep_times.force_table, count + 1 + len(creep.QUOTED)),
-                        (creep_times.moment_table, count),
-                        (creep_times.short_table, count), (creep_times.model_table, 6)):
+    for text, lines in ((tables.creep_force_table, count + 1 + len(creep.QUOTED)),
+                        (tables.creep_moment_table, count),
+                        (tables.creep_short_table, count), (tables.creep_model_table, 6)):
         table = text(parts).splitlines()
         assert len(table) == 2 + lines and len({line.count("|") for line in table}) == 1
     assert "bytes" in pages.TABLES["creep_times"].text(parts)
-    assert creep_times.precise((0.1234, 0.999, 12.34)) == "0.12 / 1.0 / 12.3"
+    assert tables.precise((0.1234, 0.999, 12.34)) == "0.12 / 1.0 / 12.3"
 
 
 def test_the_picture_shows_every_point(tmp_path):

@@ -6,11 +6,11 @@ has to be wanted; work that falls far below them asks for lower ones.
 
 import pytest
 
-from benchmarks import tables, work
+from benchmarks import tables, times
 from wrcontact.kernel.binding.library import default_kernel
 
 STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
-#: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (work.COUNTS).
+#: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (times.COUNTS).
 #:
 #: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew (strip_contact.DEEPER): 7 %
 #: of their gap evaluations and nodes in rigid contact.
@@ -29,16 +29,16 @@ SLACK = 1.03
 @pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
 @pytest.mark.parametrize("name", BUDGETS)
 def test_work_stays_within_its_budget(name):
-    parameters, _ = work.ROWS[name]
-    found = work.work(parameters, STEPS, EVERY)
-    for what, value, budget in zip(work.COUNTS, found, BUDGETS[name]):
+    parameters, _ = times.ROWS[name]
+    found = times.work(parameters, STEPS, EVERY)
+    for what, value, budget in zip(times.COUNTS, found, BUDGETS[name]):
         assert value <= SLACK * budget, what
         assert value >= 0.8 * budget, f"{what}: set a lower budget"
 
 
 def test_every_row_has_a_budget_and_its_line():
-    assert set(BUDGETS) == set(work.ROWS)
-    found = work.measured(quick=True)
-    assert list(found) == list(work.ROWS) and all(row["units"] > 0.0 for row in found.values())
+    assert set(BUDGETS) == set(times.ROWS)
+    found = times.trajectory_times(quick=True)
+    assert list(found) == list(times.ROWS) and all(row["units"] > 0.0 for row in found.values())
     lines = tables.trajectory_table({"trajectory": {"rows": found}}).splitlines()
-    assert len(lines) == 2 + len(work.ROWS)
+    assert len(lines) == 2 + len(times.ROWS)

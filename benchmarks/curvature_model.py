@@ -15,9 +15,8 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
+from data import halfspace_reference
 from wrcontact.kernel.binding.fixed_tables import coefficients
-
-from .curvature_cases import halfspace_reference
 
 MODULUS = halfspace_reference.CONTACT_MODULUS  # E* [Pa]
 FLOOR = 0.02  # smallest B as a share of A

@@ -1,15 +1,15 @@
-"""The searches side by side: error, steps and cost over a set of poses, and where they fail.
+"""The source's searches side by side: error, steps and cost over a set of poses, and where they fail.
 
-    python -m benchmarks.studies.searches [--quick]
+    python -m benchmarks source_searches
 
-prints Markdown. Errors are against the exact search (kernel/search/smallest_gap.py), which a
-brute-force search confirms. The unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
+Errors are against the exact search (kernel/search/smallest_gap.py), which a brute-force search
+confirms.
 """
 
-import argparse
 import math
 import timeit
 from collections import Counter, namedtuple
+from functools import partial
 
 import numpy as np
 
@@ -18,10 +18,9 @@ from wrcontact.conventions import SIDES
 from wrcontact.progress import tracked
 from wrcontact.study import AdaptiveSearch, ConstraintSearch, DenserSearch, Search2D, Search3D, exact_result
 from wrcontact.study.search import jump_to_flange, lever_share, longitudinal_limit
-from wrcontact.study.surfaces import Pose
 from wrcontact.system import ContactSystem
 
-from ..machine import clock
+from .machine import clock, cost, unit
 
 #: [mm] and [deg]: tread, both sides of every jump, flange root, flange.
 SHIFTS = (0, 1, 2, 3, 4, 4.7, 4.9, 5, 5.5, 6, 6.1, 6.2, 6.3, 6.5, 7, 8)
@@ -31,7 +30,7 @@ QUICK_SHIFTS, QUICK_YAWS = (1, 5, 6.2, 6.5), (0, 2)
 #: A contact further than this from the exact one, on the wheel profile [m], is in another minimum.
 ELSEWHERE = 1e-3
 GAINS = (0.5, 0.8, 1.0, 1.2, 1.5, 1.9, 2.0, 3.0)
-GAIN_SHIFTS = (3, 6, 6.3, 6.5, 8)   # [mm]
+GAIN_SHIFTS, LIMIT_SHIFTS = (3, 6, 6.3, 6.5, 8), (1, 3, 5, 6, 6.2, 6.5, 8)     # [mm]
 
 #: A method at one pose; errors of roll [rad], y_wheel and x_wheel [m], of the worse side.
 Trial = namedtuple("Trial", "shift yaw roll y x result units seconds")
@@ -109,9 +108,8 @@ def has_failed(trial):
     return not (trial.result.converged and trial.y < ELSEWHERE)
 
 
-def comparison(system=None, quick=False):
+def comparison(system, quick=False):
     """A :class:`Row` for each method, without yaw, with it, or both."""
-    system = system or ContactSystem()
     shifts, yaws = (QUICK_SHIFTS, QUICK_YAWS) if quick else (SHIFTS, YAWS)
     rows = []
     for name, search, groups in tracked(list(methods(system, quick)), "searches"):
@@ -141,55 +139,13 @@ def summary(name, yawed, done):
                middle(trial.seconds for trial in done))
 
 
-def gain_rows(system=None, spacing=1e-4):
-    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of
-    :data:`GAINS`, and the steps."""
-    system = system or ContactSystem()
-    rows = []
-    for gain in GAINS:
-        search = Search2D(system, spacing, gain)
-        found = [search.solve(shift * MM) for shift in GAIN_SHIFTS]
-        rows.append((gain, *(result.steps if result.converged else None for result in found)))
-    return rows
-
-
-def limit_rows(system=None):
-    """Where the right wheel touches, and how far the source looks: shift [m], yaw [rad],
-    x_wheel [m], limit [m]."""
-    system = system or ContactSystem()
-    search = Search2D(system)
-    rows = []
-    for shift in (1e-3, 3e-3, 5e-3, 6e-3, 6.2e-3, 6.5e-3, 8e-3):
-        plane = search.solve(shift)
-        height, slope = search.surfaces.wheel(np.array(plane.right.y_wheel))
-        for yaw in map(math.radians, YAWS[1:]):
-            pose = Pose(shift, yaw, plane.roll)
-            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=pose.roll,
-                                       yaw=yaw)
-            rows.append((shift, yaw, exact_result(system, shift, yaw).right.x_wheel, limit))
-    return rows
-
-
-def jump_rows(system=None):
-    """Lateral shift [m] at which the right wheel comes to its flange: yaw [rad], exact, by the 3-D search."""
-    system = system or ContactSystem()
-    search = Search3D(system)
-    return [(yaw, jump_to_flange(lambda shift: exact_result(system, shift, yaw)),
-             jump_to_flange(lambda shift: search.solve(shift, yaw))) for yaw in map(math.radians, YAWS)]
-
-
-def unit():
-    """Seconds of ``np.sqrt`` of 2000 doubles."""
-    values = np.linspace(0.0, 1.0, 2000)
-    return min(timeit.repeat(lambda: np.sqrt(values), timer=clock, number=300, repeat=5)) / 300
-
-
 def tables(quick=False):
-    """What is printed: header and rows of cells by the table's name."""
+    """Header and rows of cells by the table's name."""
     system = ContactSystem()
     rows = comparison(system, quick)
-    return {"searches": error_table(rows), "failures": failure_table(rows), "gains": gain_table(system),
-            "limits": limit_table(system), "flange": jump_table(system), "cost": cost_table(system)}
+    return {"searches": error_table(rows), "failures": failure_table(rows),
+            "gains": gain_table(system), "limits": limit_table(system), "flange": jump_table(system),
+            "cost": cost_table(system)}
 
 
 def error_table(rows):
@@ -220,9 +176,13 @@ def failure_table(rows):
 
 
 def gain_table(system):
-    """Steps of the 2-D search by its factor K, and the lever that it should have."""
-    cells = [(str(gain), *("does not converge" if count is None else str(count) for count in steps))
-             for gain, *steps in gain_rows(system)]
+    """Steps of the 2-D search at GAIN_SHIFTS by its factor K, and the lever that it should have."""
+    cells = []
+    for gain in GAINS:
+        search = Search2D(system, gain=gain)
+        found = [search.solve(shift * MM) for shift in GAIN_SHIFTS]
+        cells.append((str(gain), *(str(result.steps) if result.converged else "does not converge"
+                                   for result in found)))
     levers = [f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS]
     return ("K", *(f"steps at {shift} mm" for shift in GAIN_SHIFTS)), [*cells,
                                                                        ("true lever / assumed", *levers)]
@@ -232,33 +192,28 @@ def limit_table(system):
     """Where a yawed wheel touches, and where the source's search ends."""
     header = ("lateral shift [mm]", "yaw [deg]", "the right wheel touches at x [mm]",
               "limit of source eq. (5.8) [mm]")
-    return header, [(f"{shift / MM:g}", f"{math.degrees(yaw):.0f}", f"{x / MM:.2f}", f"{limit / MM:.2f}")
-                    for shift, yaw, x, limit in limit_rows(system)]
+    search, cells = Search2D(system), []
+    for shift in LIMIT_SHIFTS:
+        plane = search.solve(shift * MM)
+        height, slope = search.surfaces.wheel(np.array(plane.right.y_wheel))
+        for yaw in YAWS[1:]:
+            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=plane.roll,
+                                       yaw=math.radians(yaw))
+            x = exact_result(system, shift * MM, math.radians(yaw)).right.x_wheel
+            cells.append((f"{shift:g}", str(yaw), f"{x / MM:.2f}", f"{limit / MM:.2f}"))
+    return header, cells
 
 
 def jump_table(system):
-    """Where flange contact begins."""
+    """Lateral shift at which the right wheel comes to its flange."""
     header = ("yaw [deg]", "flange contact from lateral shift [mm], exact", "by the 3-D search")
-    return header, [(f"{math.degrees(yaw):.0f}", f"{exact / MM:.3f}", f"{found / MM:.3f}")
-                    for yaw, exact, found in jump_rows(system)]
+    searches = partial(exact_result, system), Search3D(system).solve
+    return header, [(str(yaw), *(f"{jump_to_flange(lambda shift: solve(shift, math.radians(yaw))) / MM:.3f}"
+                                 for solve in searches)) for yaw in YAWS]
 
 
 def cost_table(system):
     """The exact search."""
-    seconds = min(timeit.repeat(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)],
-                                timer=clock, number=10)) / 30
+    took = cost(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)], 3, 10)
     return ("search", "units"), [("the exact search from Python, alternating between yaws",
-                                  f"{seconds / unit():.0f}")]
-
-
-def main(quick=False):
-    """Print the comparison as Markdown."""
-    for header, rows in tables(quick).values():
-        print("\n".join(f"| {' | '.join(cells)} |" for cells in (header, ("---",) * len(header), *rows)),
-              end="\n\n")
-
-
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description="Compare the source's contact searches with the exact one.")
-    parser.add_argument("--quick", action="store_true", help="eight poses, and not the finest nodes")
-    main(parser.parse_args().quick)
+                                  f"{took.units:.0f}")]

@@ -1,1 +1,0 @@
-"""Studies that decided something and are kept."""
