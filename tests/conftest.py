@@ -12,7 +12,7 @@ from wrcontact.cli import main
 from wrcontact.kernel.binding.compiler import KEPT
 
 #: Rooms whose tests are ``full``, except those that are marked ``check``.
-FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "rolling", "study")
+FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "study")
 
 
 def room_of(path):

@@ -13,7 +13,7 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/kernel.h"
+#include "kernel/generated/constants.h"
 
 static const double ROUNDING = 1e-9;     /* of a time that a host has added up over many steps, relative */
 

@@ -8,7 +8,7 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/kernel.h"
+#include "kernel/generated/constants.h"
 
 int wheelset_check_known(wheelset *self, uint32_t reference)
 {

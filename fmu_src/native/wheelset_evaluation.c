@@ -9,7 +9,7 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/kernel.h"
+#include "kernel/generated/constants.h"
 
 bool wheelset_is_compliant(const wheelset *self)
 {

@@ -14,8 +14,8 @@ FEW, MANY, MANY_ELASTIC = 12, 80, 30
 
 METHODS = [
     {},
-    {"normal_model": "hertz", "longitudinal_curvature": "basic"},
-    {"normal_model": "analyn_strip"},
+    {"normal_model": "hertz", "longitudinal_curvature": "basic", "stations": 7},
+    {"normal_model": "analyn_strip", "stations": 61},
     {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
     {"separation": "equidistant", "normal_model": "analyn_strip"},
     *(form for form in FORMS if "lateral_curvature" not in form)]

@@ -15,7 +15,7 @@ import pytest
 from tests.helpers.paths import ROOT
 from tests.helpers.platforms import KERNEL_EXPORTS, check_library, needs, needs_build, needs_zig
 from wrcontact import ContactSystem
-from wrcontact.kernel.binding.compiler import find_compiler
+from wrcontact.kernel.binding.compiler import KEPT, find_compiler
 from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 # --- the same bytes again -------------------------------------------------------------------------
@@ -35,15 +35,16 @@ build_fmu(sys.argv[1])
 def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
     """Native FMUs for every platform and the Python FMU, by two processes in folders of their own,
     with the products of matrices of two processors; the compiler's cache is that of this user for the
-    one and empty for the other."""
+    one and empty for the other, and neither keeps compiled sources."""
     made = []
+    clean = {key: value for key, value in os.environ.items() if key != KEPT}
     cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
     for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
         place = tmp_path / folder
         (place / "scratch").mkdir(parents=True)
         subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True,
                        stderr=subprocess.DEVNULL,
-                       env={**os.environ, **caches,
+                       env={**clean, **caches,
                             "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
                             "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
         made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})

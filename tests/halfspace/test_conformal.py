@@ -1,8 +1,7 @@
-"""The half-space on wheel and rail where the patch turns: CONTACT's conformal answers, the independent
-program, and what one mode says about another."""
+"""The half-space on wheel and rail where the patch turns: the independent program, and what one mode says
+about another; tests/normal/test_conformal.py has CONTACT's conformal answers."""
 
 import csv
-import functools
 import math
 from dataclasses import replace
 
@@ -12,6 +11,7 @@ import pytest
 import wrcontact
 from data import brute_force, conformal_reference
 from data.hertz import MODULUS
+from tests.helpers.cases import system
 from tests.helpers.inside import tables_of
 from tests.helpers.paths import DATA
 from wrcontact import Status
@@ -26,41 +26,15 @@ from wrcontact.kernel import layout
 
 with open(DATA / "conformal.csv", newline="", encoding="utf-8") as file:
     ROWS = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-QUICK = (0, 3, 5, 9)
 
 
-@functools.cache
 def halfspace(**parameters):
-    return wrcontact.ContactSystem(normal_model="halfspace", **parameters)
+    return system(normal_model="halfspace", **parameters)
 
 
 def stand_of(row):
     return {"lateral_shift": row["lateral_shift_mm"] * 1e-3, "yaw": math.radians(row["yaw_deg"]),
             "vertical_shift_input": row["vertical_shift_mm"] * 1e-3, "roll_input": row["roll_rad"]}
-
-
-@functools.cache
-def errors(index):
-    """Of force, area and peak pressure in a row of conformal.csv [-]."""
-    row = ROWS[index]
-    found = halfspace(contact_mode="compliant").evaluate(**stand_of(row)).right
-    given = row["N_f_N"], row["area_f_mm2"] * 1e-6, row["pmax_f_MPa"] * 1e6
-    return np.array([found.normal_force, found.area, found.max_pressure]) / given - 1.0
-
-
-@pytest.mark.parametrize("index", QUICK)
-def test_contact_conformal(index):
-    """CONTACT counts cells, which gives 0.5 ... 1 % more area than the edge within the cells; its grid of N
-    is good to 0.2 %, and in the widest patches to 0.4 %."""
-    assert np.all(np.abs(errors(index)) < (0.004, 0.017, 0.003))
-
-
-@pytest.mark.full
-def test_contact_conformal_in_all_rows():
-    """Also yawed ones, whose own curve CONTACT warns of beyond 0.025 rad."""
-    found = 100.0 * np.abs([errors(index) for index in range(len(ROWS))])
-    assert np.all(found.mean(axis=0) < (0.25, 1.5, 0.25)), found.mean(axis=0)
-    assert np.all(found.max(axis=0) < (0.65, 2.0, 1.3)), found.max(axis=0)
 
 
 @pytest.mark.parametrize("index", [9, pytest.param(0, marks=pytest.mark.full),
@@ -77,26 +51,6 @@ def test_the_independent_program_has_the_same_contact(index):
     assert found.normal_force == pytest.approx(truth.force, rel=1e-3)
     assert found.max_pressure == pytest.approx(truth.max_pressure, rel=2e-3)
     assert found.area == pytest.approx(truth.area, rel=0.012)
-
-
-#: lateral shift [m], yaw [deg], force [N]; penetration [um], area [mm2] and peak pressure [MPa] of the wheel
-#: that has moved straight down, by the trial program from which this theory was taken, on grids of 90 x 180
-#: cells.
-SUNK = {"wide": ((6.24e-3, 0.0, 120e3), (115.1, 154.0, 1754.0)),
-        "split": ((5.85e-3, 2.0, 120e3), (146.1, 64.7, 3214.0)),
-        "widest": ((6.25e-3, 0.0, 78.5e3), (79.0, 137.0, 1330.0))}
-
-
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.full] * (name != "wide"))
-                                  for name in SUNK])
-def test_a_rigid_wheel_sinks_straight_down(name):
-    """What the one plane of a half-space gave with the same penetration: 2195, 5412 and 1985 MPa."""
-    (shift, yaw, force), (penetration, area, pressure) = SUNK[name]
-    found = halfspace().evaluate(shift, math.radians(yaw), force, side="right").right
-    assert found.penetration * 1e6 == pytest.approx(penetration, rel=2e-3)
-    assert found.area * 1e6 == pytest.approx(area, rel=0.012)
-    assert found.max_pressure * 1e-6 == pytest.approx(pressure, rel=2e-3)
-    assert found.normal_force == pytest.approx(force, rel=1e-6)
 
 
 def test_rigid_contact_is_compliant_contact_at_the_height_it_sinks_to():

@@ -350,29 +350,6 @@ def test_unchanged_inputs_are_not_solved_again(monkeypatch):
     assert stepper.step() == Status.VALID and len(calls) == 6
 
 
-# --- wrong input ----------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("arguments, sentence", [
-    ({"normal_model": "halfspace", "longitudinal_curvature": "basic"},
-     "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace'"),
-    ({"normal_model": "halfspace", "separation": "vertical"},
-     "separation is 'vertical'; permitted with the normal_model 'halfspace', which knows the whole surface, "
-     "is 'normal'"),
-    ({"normal_model": "halfspace", "lateral_curvature": "rough"},
-     "lateral_curvature is 'rough'; permitted with the normal_model 'halfspace'"),
-    ({"tolerance": 0.5}, "tolerance is 0.5; permitted is 0.0001 ... 0.1"),
-    ({"normal_model": "halfspace", "tolerance": 2e-4},
-     "tolerance is 0.0002; permitted with the normal_model 'halfspace' is 0.0003 ... 0.1"),
-    ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is"),
-    ({"normal_model": "kalker"}, "normal_model is 'kalker'; permitted are 'analyn',"),
-])
-def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
-    with pytest.raises(ValueError) as refusal:
-        wrcontact.ContactSystem(**arguments)
-    assert str(refusal.value).startswith(sentence) and "\n" not in str(refusal.value)
-
-
 def test_the_session_of_an_fmu_refuses_it():
     session = Session()
     session.set_strings([REFERENCE["normal_model"]], ["halfspace"])

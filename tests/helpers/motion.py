@@ -66,3 +66,17 @@ def creepages(**given):
     """(x, y, spin) of a patch by finite displacements; arguments as :func:`sliding` has them."""
     slide, lateral, turning, reference = sliding(**given)
     return np.array([slide[0], slide @ lateral, turning]) / reference
+
+
+def slips(state):
+    """Creepages (patches, 3) of all patches of a state, left ones first: x, y, spin."""
+    return np.array([(patch.creepage.x, patch.creepage.y, patch.creepage.spin)
+                     for wheel in (state.left, state.right) for patch in wheel.patches])
+
+
+def runge_kutta(rates, state, step):
+    """The state (n,) after a step, by Runge and Kutta's method of fourth order."""
+    k1 = rates(state)
+    k2 = rates(state + step / 2 * k1)
+    k3 = rates(state + step / 2 * k2)
+    return state + step / 6 * (k1 + 2 * k2 + 2 * k3 + rates(state + step * k3))

@@ -8,8 +8,9 @@ import pytest
 from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 REFERENCE = "x86_64-linux"      # the platform that others are compared with
-KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "prepare", "prepare_room",
-                                                   "derivative", "derivative_room")}
+KERNEL_EXPORTS = {f"wrcontact_{name}" for name in (
+    "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "prepare",
+    "prepare_room", "complete")}
 
 
 def needs(condition, reason):

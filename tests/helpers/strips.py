@@ -1,10 +1,8 @@
 """Systems with strips, random poses, and their errors against another solution."""
 
-import functools
-
 import numpy as np
 
-import wrcontact
+from tests.helpers.cases import system
 from wrcontact import Status
 from wrcontact.kernel import layout
 
@@ -14,12 +12,7 @@ POSE = [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]     # wh
 
 
 def system_of(model="analyn_strip", **parameters):
-    return _system_of(model, tuple(sorted(parameters.items())))
-
-
-@functools.lru_cache
-def _system_of(model, parameters):
-    return wrcontact.ContactSystem(normal_model=model, **dict(parameters))
+    return system(normal_model=model, **parameters)
 
 
 def errors(side, truth):

@@ -36,7 +36,10 @@ def errors_at(model, row):
     # 1 degree of yaw; 28 strips have 0.87 and 3.3 %
     ("analyn_strip", (0.0026, 0.0138, 0.0172, 0.0034, 0.0039), (0.0083, 0.0555, 0.080, 0.0095, 0.0150)),
     ("analyn", (0.03, 0.07, 0.035, 0.03, 0.02), (0.06, 0.20, 0.08, 0.07, 0.06)),
-])
+    # CONTACT counts cells, which gives 0.5 ... 1 % more area than the edge within the cells, and warns of its
+    # own curve in yawed rows beyond 0.025 rad; on a flange the direction of its force is off by 0.6 degrees
+    pytest.param("halfspace", (0.0025, 0.015, 0.0025, 0.005, 0.005), (0.0065, 0.02, 0.013, 0.016, 0.024),
+                 marks=pytest.mark.full)])
 def test_complete_theory_on_patches_that_turn(model, mean, worst):
     error = np.abs([errors_at(model, row) for row in ROWS])
     assert np.all(error.mean(axis=0) < mean), error.mean(axis=0)
@@ -57,20 +60,25 @@ def test_an_elastic_wheel_is_a_compliant_one_where_it_stands(shift, yaw, force):
             assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-6), name
 
 
-@pytest.mark.parametrize("shift, yaw, force, penetration, area, pressure", [
-    # the complete theory on a curved reference, at the wheel moved straight down from where it just touches
-    # until it carries the force; the sinking times the cosine of the contact angle. Grid of 60 x 40 cells
-    # over the patch, areas by cells. The half-space has -0.6 and -0.4 % of area in the first and the last;
-    # strips have 4.7 % too much in the last, which lies in two places
-    (6.24e-3, 0.0, 120e3, 115.1e-6, 154e-6, 1754e6),
-    (6.25e-3, 0.0, 78.5e3, 79.0e-6, 137e-6, 1330e6),
-    (5.85e-3, 2.0, 120e3, 146.1e-6, 64.7e-6, 3214e6),
-])
-def test_a_rigid_wheel_sinks_straight_down(shift, yaw, force, penetration, area, pressure):
-    side = system_of().evaluate(shift, math.radians(yaw), force).right
-    assert side.penetration == pytest.approx(penetration, rel=0.01)
-    assert side.area == pytest.approx(area, rel=0.03 if yaw == 0 else 0.055)
-    assert side.max_pressure == pytest.approx(pressure, rel=0.04)
+#: Lateral shift [m], yaw [deg], force [N]; penetration [m], area [m2] and peak pressure [Pa] of the wheel
+#: that has moved straight down from where it just touches, by the trial program from which the half-space's
+#: theory was taken, on grids of 90 x 180 cells. Penetration is the sinking times the cosine of the contact
+#: angle. What the one plane of a half-space gave with the same penetration: 2195, 5412 and 1985 MPa.
+SUNK = {"wide": ((6.24e-3, 0.0, 120e3), (115.1e-6, 154e-6, 1754e6)),
+        "split": ((5.85e-3, 2.0, 120e3), (146.1e-6, 64.7e-6, 3214e6)),
+        "widest": ((6.25e-3, 0.0, 78.5e3), (79.0e-6, 137e-6, 1330e6))}
+
+
+@pytest.mark.parametrize("name", SUNK)
+@pytest.mark.parametrize("model", ["analyn_strip", pytest.param("halfspace", marks=pytest.mark.full)])
+def test_a_rigid_wheel_sinks_straight_down(model, name):
+    """Strips have 4.7 % too much area in the patch that lies in two places."""
+    (shift, yaw, force), wanted = SUNK[name]
+    side = system_of(model).evaluate(shift, math.radians(yaw), force, side="right").right
+    near = (2e-3, 0.012, 2e-3) if model == "halfspace" else (0.01, 0.03 if yaw == 0 else 0.055, 0.04)
+    for found, value, allowed in zip((side.penetration, side.area, side.max_pressure), wanted, near):
+        assert found == pytest.approx(value, rel=allowed)
+    assert side.normal_force == pytest.approx(force, rel=1e-6)
 
 
 def test_a_rigid_wheel_is_a_compliant_one_where_it_has_sunk():

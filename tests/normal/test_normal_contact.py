@@ -111,13 +111,16 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
     np.testing.assert_allclose((outline.half_length / a) ** 2 + (outline.station / b) ** 2, 1.0, atol=1e-8)
 
 
+@pytest.mark.parametrize("model, penetration, area, pressure, centroid", [
+    # measured 0.58, 1.39, 3.34 % and 0.29 mm on a tread patch 20 mm wide; 0.38, 0.90, 0.47 % and 0.021 mm
+    ("analyn", 0.0088, 0.0209, 0.048, 4.3e-4), ("analyn_strip", 0.0058, 0.0134, 0.0071, 3.1e-5)])
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
-def test_complete_theory_on_the_planar_gap(system, case):
-    """CONTACT's frictionless solution for the gap in the tangent plane. At 5 and 6 mm the patch turns by
-    10 degrees and more, so that this is another gap; there CONTACT counts with wheel and rail as they are,
-    below."""
+def test_complete_theory_on_the_planar_gap(case, model, penetration, area, pressure, centroid):
+    """CONTACT's frictionless solution for the gap in the tangent plane, whose area follows elements of 0.1 mm
+    and is up to 0.6 % too large. At 5 and 6 mm the patch turns by 10 degrees and more, so that this is
+    another gap; there CONTACT counts with wheel and rail as they are, below."""
     truth = case["solution"]
-    side = system.evaluate(lateral_shift=case["y_ws_mm"] * 1e-3, normal_force=78.5e3).right
+    side = wrcontact.ContactSystem(normal_model=model).evaluate(lateral_shift=case["y_ws_mm"] * 1e-3).right
     assert side.contact_angle == pytest.approx(-case["delta_rad"], abs=1e-4)
     # theirs is r / cos(angle in the track), exact is the angle in the wheelset's
     # frame: roll times tan(angle) less
@@ -125,13 +128,11 @@ def test_complete_theory_on_the_planar_gap(system, case):
     assert side.patch_count == len(truth["regions"])
     if case["y_ws_mm"] >= 5.0:
         return
-    # measured 0.58, 1.39, 3.34 % at most
-    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.0088)
-    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.0209)
-    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.048)
-    # the load-weighted centre, measured 0.29 mm at most, on a tread patch 20 mm wide
+    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=penetration)
+    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=area)
+    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=pressure)
     centre = sum(region["s_centroid_mm"] * region["fn_N"] for region in truth["regions"]) / 78500
-    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=4.3e-4)
+    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=centroid)        # [m]
 
 
 @pytest.mark.parametrize("model, mean, worst", [

@@ -7,7 +7,6 @@ import pytest
 
 import wrcontact
 from data.hertz import MODULUS
-from tests.helpers.cases import planar_cases
 from tests.helpers.strips import POSE, errors, random_poses, system_of
 from wrcontact import Status
 from wrcontact.kernel import layout
@@ -35,23 +34,6 @@ def test_half_space_where_a_region_appears(model, worst):
     """Strips measure 1.0, 2.9 and 3.1 % at most."""
     error = np.abs(errors_at(model, HARD))
     assert np.all(error.max(axis=0) <= worst), dict(zip(HARD, error.round(4).tolist()))
-
-
-@pytest.mark.parametrize("case", [case for case in planar_cases() if case["y_ws_mm"] < 5.0],
-                         ids=lambda case: f"{case['y_ws_mm']}mm")
-def test_complete_theory_on_the_planar_gap(case):
-    """CONTACT's solution of the gap in the tangent plane, where the patch lies in it; their area follows
-    elements of 0.1 mm and is up to 0.6 % too large. Where it turns: test_normal_contact.py, with the full
-    geometry."""
-    truth = case["solution"]
-    side = system_of().evaluate(case["y_ws_mm"] * 1e-3).right
-    # measured 0.38, 0.90, 0.47 % at most
-    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.0058)
-    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.0134)
-    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.0071)
-    assert side.patch_count == len(truth["regions"]) == 1
-    centre = truth["regions"][0]["s_centroid_mm"]
-    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=3.1e-5)       # [m] measured 2.1e-5
 
 
 PAIRS = [(rail, inclination) for inclination in (1 / 40, 1 / 20) for rail in ("UIC60", "60E1", "54E1")]

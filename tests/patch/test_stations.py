@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from tests.helpers.cases import MODELS
-from tests.helpers.inside import rates_along, tables_of
+from tests.helpers.inside import rates_along
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.library import Kernel, default_kernel
+from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.state import WheelsetState
 
 METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
@@ -116,25 +116,6 @@ def test_area_and_load_of_the_outline_tend_to_those_of_the_patch():
     assert (np.abs(fine) < 5e-4).all()
     np.testing.assert_allclose(coarse[:, 0] / fine[:, 0], 4.0 ** 1.5, rtol=0.15)
     assert (np.abs(misses(201, **TWO_PATCHES)) < 2e-3).all()      # the inner edges lie between stations
-
-
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("number", [7, 61])
-def test_compiled_and_uncompiled_kernel_give_equal_bits(model, number):
-    if not default_kernel().compiled:
-        pytest.skip("there is no compiled kernel")
-    tables = tables_of(ContactSystem(normal_model=model, stations=number))
-    size = layout.OUTPUT_COUNT + 2 * layout.RUN_COUNT * number
-    answers = []
-    for kernel in (default_kernel(), Kernel()):
-        arrays = [np.zeros(n) for n in (layout.STATE_SIZE, layout.WORK_SIZE, layout.INPUT_COUNT)]
-        rows, outputs, status = np.zeros((2, layout.INPUT_COUNT)), np.zeros((2, size)), np.zeros(2)
-        rows[:, layout.IN_LATERAL_SHIFT], rows[:, layout.IN_YAW] = (0.0, 6.2e-3), (0.0, 0.01)
-        rows[:, layout.IN_NORMAL_FORCE] = 78.5e3
-        kernel.bind(tables, *arrays, np.zeros(size)).step_many(2, rows, outputs, status)
-        answers.append(outputs)
-    pressure = answers[0].any(axis=0)[-3 * number:-2 * number]      # the third run from behind
-    assert (answers[0] == answers[1]).all() and pressure.sum() == number - 2
 
 
 def test_tables_of_poses():

@@ -1,6 +1,5 @@
 """What is not wanted is not computed, unchanged inputs are not evaluated again, and what a pose may cost."""
 
-import functools
 import threading
 
 import numpy as np
@@ -8,6 +7,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import input_row
+from tests.helpers.cases import system as kept_system
 from wrcontact import Status
 from wrcontact.kernel import layout
 
@@ -19,9 +19,8 @@ PATCHES = slice(layout.SIDE_PENETRATION, layout.SIDE_STATION)
 OUTLINE = slice(layout.SIDE_STATION, layout.SIDE_SIZE)
 
 
-@functools.lru_cache
 def system_of(model):
-    return wrcontact.ContactSystem(normal_model=model)
+    return kept_system(normal_model=model)
 
 
 def rows_of(shift, yaw=0.0, force=78.5e3):

@@ -20,12 +20,17 @@ def storage(module, function):
     return STORAGE[module.marks.get(function)]
 
 
-def tidy_header(module, text, constants):
-    """Lines of the constants and prototypes of a module."""
+def tidy_constants(module, constants):
+    """Lines of the constants of a module."""
     definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
+    return ["", f"/* {module.place} */", *definitions] if definitions else []
+
+
+def tidy_prototypes(module, text):
+    """Lines that declare the functions of a module, from Pyccel's header."""
     found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
-    prototypes = [f"{storage(module, name)} {line};" for line, _, name in found if name != "init"]
-    return [f"/* {module.place} */", *definitions, *prototypes]
+    return ["", f"/* {module.place} */",
+            *(f"{storage(module, name)} {line};" for line, _, name in found if name != "init")]
 
 
 def definition(name, value):

@@ -1,7 +1,7 @@
 """All generated files: a header, one file of C for each room, and the units that include them."""
 
 from .modules import FILES, import_kernel
-from .tidy import refuse_unknown_calls, tidy_code, tidy_header
+from .tidy import refuse_unknown_calls, tidy_code, tidy_constants, tidy_prototypes
 
 #: Tuples of numbers of the room layout that the C beside the kernel reads.
 ARRAYS = {"INPUT_NOMINALS"}
@@ -16,12 +16,12 @@ def assemble(kernel, modules, raw):
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
     step, prepare = ([module for module in plain if (module.room == "prepare") == kind]
                      for kind in (False, True))
-    files = {"kernel.h": header("KERNEL", "The kernel's constants and functions", step, raw, constants),
-             "prepare.h": header("PREPARE", "What prepares tables", prepare, raw, constants),
-             "derivatives.h": header("DERIVATIVES", "The differentiated kernel's functions", rated, raw, {})}
+    files = {"constants.h": header("CONSTANTS", "What the kernel's numbers stand for", "../native/spans.h",
+                                   (tidy_constants(module, constants[module.name]) for module in plain)),
+             "derivatives.h": header("DERIVATIVES", "The differentiated kernel's functions", "constants.h",
+                                     (tidy_prototypes(module, raw[module.name][0]) for module in rated))}
     for room in dict.fromkeys(module.room for module in modules if module.functions):
-        inside = [module for module in modules if module.room == room and module.functions]
-        files[f"{room}.c"] = room_file(room, inside, raw)
+        files[f"{room}.c"] = room_file(room, [module for module in modules if module.room == room], raw)
     for module in modules:
         refuse_unknown_calls(module, tidy_code(module, raw[module.name][1]), functions)
     files["unit.c"] = unit(step, FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
@@ -46,20 +46,23 @@ def constant_values(kernel, modules):
     return values
 
 
-def header(name, words, modules, raw, constants):
-    """A header with the constants and the prototypes of modules."""
-    lines = [f"/* {words}. {NOTE}. */", f"#ifndef GENERATED_{name}_H", f"#define GENERATED_{name}_H", "",
-             '#include "../native/spans.h"' if name == "KERNEL" else '#include "kernel.h"']
-    for module in modules:
-        lines += ["", *tidy_header(module, raw[module.name][0], constants.get(module.name, {}))]
-    return "\n".join([*lines, "", "#endif", ""])
+def header(name, words, needs, texts):
+    """A header with the lines of modules, which includes another."""
+    guard = f"GENERATED_{name}_H"
+    return "\n".join([f"/* {words}. {NOTE}. */", f"#ifndef {guard}", f"#define {guard}", "",
+                      f'#include "{needs}"', *(line for lines in texts for line in lines), "", "#endif", ""])
 
 
 def room_file(room, modules, raw):
-    """The functions of the modules of a room."""
-    name = "derivatives.h" if modules[0].derivative else "prepare.h" if room == "prepare" else "kernel.h"
-    texts = [f"/* The room {room} of the kernel. {NOTE}. */\n#include \"{name}\"\n"]
-    return "\n\n".join([*texts, *(tidy_code(module, raw[module.name][1]) for module in modules)])
+    """The functions of the modules of a room, declared first; those of differentiated rooms call each other
+    and are declared in a header."""
+    inside = [module for module in modules if module.functions]
+    lines = [f"/* The room {room} of the kernel. {NOTE}. */",
+             f'#include "{"derivatives" if inside[0].derivative else "constants"}.h"']
+    if not inside[0].derivative:
+        lines += [line for module in inside for line in tidy_prototypes(module, raw[module.name][0])]
+    codes = [tidy_code(module, raw[module.name][1]) for module in inside]
+    return "\n\n".join(["\n".join([*lines, ""]), *codes])
 
 
 def unit(modules, fingerprint):
@@ -67,13 +70,13 @@ def unit(modules, fingerprint):
     lines = [f"/* The whole kernel. {NOTE}. */",
              f"#define WRCONTACT_KERNEL_FINGERPRINT INT64_C(0x{fingerprint:015x})", ""]
     rooms = dict.fromkeys(module.room for module in modules if module.functions)
-    lines += [f'#include "{room}.c"' for room in sorted(rooms)]
+    lines += [f'#include "{room}.c"' for room in rooms]
     return "\n".join(lines) + "\n"
 
 
 def part_unit(words, modules, needed):
     """A file that includes the rooms of some modules and all whose functions those call; what else is in
-    these rooms, and what the header declares, the compiler leaves out."""
+    these rooms the compiler leaves out."""
     by_name = {module.name: module for module in modules}
     of_room = {}
     for module in modules:
@@ -85,8 +88,7 @@ def part_unit(words, modules, needed):
         waiting |= {by_name[name].room for module in of_room[room] for name, used in module.imports.items()
                     if used & set(by_name[name].functions)} - rooms
     lines = [f"/* {words} {NOTE}. */",
-             "/* Headers declare functions that are not used here; the compiler looks for them "
-             "at the end of the unit. */",
+             "/* Not all functions of these rooms are called here. */",
              "#ifdef __GNUC__", '#pragma GCC diagnostic ignored "-Wunused-function"', "#endif",
-             *(f'#include "{room}.c"' for room in sorted(rooms))]
+             *(f'#include "{room}.c"' for room in of_room if room in rooms)]
     return "\n".join(lines) + "\n"

@@ -2,7 +2,7 @@
 #ifndef GENERATED_DERIVATIVES_H
 #define GENERATED_DERIVATIVES_H
 
-#include "kernel.h"
+#include "constants.h"
 
 /* derivative_analyn.py */
 static inline int64_t derivative_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other);

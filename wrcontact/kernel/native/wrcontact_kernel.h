@@ -1,7 +1,7 @@
 /* The contact kernel as C sees it.
  *
  * The caller owns all memory; nothing is allocated or kept between calls, so handles on different memory may be stepped by
- * different threads.  generated/kernel.h says what the arrays hold, wrcontact/status.py what a status means.
+ * different threads.  generated/constants.h says what the arrays hold, wrcontact/status.py what a status means.
  */
 #ifndef WRCONTACT_KERNEL_H
 #define WRCONTACT_KERNEL_H

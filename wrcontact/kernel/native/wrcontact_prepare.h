@@ -1,6 +1,6 @@
 /* What a simulation needs at its start: the kernel's tables from definitions of the profiles and the parameters.
  *
- * kernel/prepare/tables.py (setup, report, outcome) and kernel/prepare/zones.py (definitions) describe the arrays.
+ * generated/constants.h describes the arrays (prepare/tables.py: setup, report, outcome; prepare/zones.py: definitions).
  * The caller owns all memory; nothing is allocated.
  */
 #ifndef WRCONTACT_PREPARE_H

@@ -8,15 +8,10 @@ from scipy.optimize import brentq
 
 import wrcontact
 from tests.helpers.cone import ARM, HEAD, RADIUS, cone_system, rail_place, stand
+from tests.helpers.motion import runge_kutta, slips
 
 SLOPES = (0.025, 0.05, 0.1)
 SPEED = 30.0
-
-
-def creepages(state):
-    """Left and right creepage of the only patch: (x, y, spin)."""
-    return [(wheel.patches[0].creepage.x, wheel.patches[0].creepage.y, wheel.patches[0].creepage.spin)
-            for wheel in (state.left, state.right)]
 
 
 @pytest.mark.parametrize("shift", [-6e-3, 0.0, 2e-3])
@@ -29,7 +24,7 @@ def test_straight_ahead(slope, shift):
     state = system.evaluate(lateral_shift=shift, speed=SPEED)
     assert state.roll == pytest.approx(roll, abs=1e-12)
     rate = SPEED / RADIUS
-    for sign, wheel, found in zip((-1, 1), wheels, creepages(state)):
+    for sign, wheel, found in zip((-1, 1), wheels, slips(state)):
         reference = (SPEED + rate * wheel.radius) / 2
         expected = ((SPEED - rate * wheel.radius) / reference, 0.0,
                     sign * rate * sin(atan(slope)) / reference)
@@ -43,7 +38,7 @@ def test_yaw_slides_in_the_plane_of_the_contact(slope):
     yaw = 0.02
     state = cone_system(slope).evaluate(lateral_shift=3e-3, yaw=yaw, speed=SPEED)
     rate = SPEED / RADIUS
-    for wheel, found in zip((state.left, state.right), creepages(state)):
+    for wheel, found in zip((state.left, state.right), slips(state)):
         at = wheel.contact
         down = at.z_track - (state.vertical_shift - RADIUS)
         # y_c points to the left, and the wheel slides to the left of where it heads: to the right of its path
@@ -64,13 +59,13 @@ def test_a_wheelset_that_moves_sideways_climbs():
     roll, height, *wheels = stand(slope, shift, rail_y)
     state = system.evaluate(lateral_shift=shift, speed=SPEED, lateral_velocity=speed)
     rate = SPEED / RADIUS
-    for wheel, found in zip(wheels, creepages(state)):
+    for wheel, found in zip(wheels, slips(state)):
         down = height + HEAD * (1 - cos(wheel.angle))
         sideways = speed - roll_rate * down
         reference = (SPEED + rate * wheel.radius) / 2
         assert found[1] == pytest.approx(-sideways / cos(wheel.angle) / reference, abs=1e-9)
     # nearly all of it is the lateral velocity
-    assert creepages(state)[1][1] == pytest.approx(-speed / SPEED, rel=0.15)
+    assert slips(state)[1][1] == pytest.approx(-speed / SPEED, rel=0.15)
 
 
 @pytest.mark.parametrize("curvature", [1 / 300, -1 / 1500])
@@ -95,11 +90,11 @@ def test_free_rolling_through_a_steady_curve(curvature):
     right = stand(slope, shift, rail_y)[3]
     rate = SPEED * (1 - curvature * right.y) / right.radius
     state = system.evaluate(lateral_shift=shift, speed=SPEED, wheel_rate=rate, track_curvature=curvature)
-    for x, y, _ in creepages(state):
+    for x, y, _ in slips(state):
         assert x == pytest.approx(0.0, abs=1e-9) and y == pytest.approx(0.0, abs=1e-12)
     # spin: the cone's, and the turning of the track about the normal
     turning = -curvature * cos(right.angle) + rate / SPEED * sin(atan(slope))
-    assert creepages(state)[1][2] == pytest.approx(turning, rel=2e-3)      # V_ref is not V
+    assert slips(state)[1][2] == pytest.approx(turning, rel=2e-3)      # V_ref is not V
 
 
 def test_klingels_motion():
@@ -129,13 +124,9 @@ def wave_length(system, amplitude, step=0.05):
 
     state, x, passed = np.array([amplitude, 0.0]), 0.0, []
     while len(passed) < 3:
-        k1 = course(state)
-        k2 = course(state + step / 2 * k1)
-        k3 = course(state + step / 2 * k2)
-        k4 = course(state + step * k3)
-        following = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        following = runge_kutta(course, state, step)
         if state[0] * following[0] < 0:
-            passed.append(x + step * cubic_root(state[0], following[0], step * k1[0],
+            passed.append(x + step * cubic_root(state[0], following[0], step * course(state)[0],
                                                 step * course(following)[0]))
         state, x = following, x + step
     return passed[2] - passed[0]
@@ -153,7 +144,7 @@ def free_rates(system, shift, yaw):
     def slides(lateral, turn, rate):
         state = system.evaluate(lateral_shift=shift, yaw=yaw, speed=1.0, lateral_velocity=lateral,
                                 yaw_rate=turn, wheel_rate=rate)
-        (x1, y1, _), (x2, y2, _) = creepages(state)
+        (x1, y1, _), (x2, y2, _) = slips(state)
         return np.array([x1, x2, y1 + y2])
 
     rates = np.array([0.0, 0.0, 1 / RADIUS])

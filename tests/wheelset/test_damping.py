@@ -5,6 +5,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import system
+from tests.helpers.motion import runge_kutta
 
 FORCE, DAMPING = 78.5e3, 0.4
 POSES = [(0.0, 0.0), (3e-3, 0.01), (5.2e-3, 0.0), (-6.2e-3, -0.015)]
@@ -102,11 +103,7 @@ def bounce(damping, cycles=3):
 
     state, tops = np.array([rest - 2e-5, 0.0]), [rest - 2e-5]
     while len(tops) <= cycles:
-        k1 = rates(state)
-        k2 = rates(state + step / 2 * k1)
-        k3 = rates(state + step / 2 * k2)
-        k4 = rates(state + step * k3)
-        following = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        following = runge_kutta(rates, state, step)
         if state[1] < 0 <= following[1]:
             share = -state[1] / (following[1] - state[1])
             # the height of a parabola's top between two steps

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.cases import CREEP_MODELS
+from tests.helpers.cases import CREEP_MODELS, system
 from tests.helpers.inside import work_of
 from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
@@ -25,17 +25,6 @@ POSES = {
     "backwards": {**POSE, "speed": -20.0},
     "curve": {**POSE, "track_curvature": 1 / 300},
 }
-_SYSTEMS = {}
-
-
-def system(**parameters):
-    """A contact system, kept."""
-    key = tuple(sorted(parameters.items()))
-    if key not in _SYSTEMS:
-        _SYSTEMS[key] = wrcontact.ContactSystem(**parameters)
-    return _SYSTEMS[key]
-
-
 def compliant(inputs):
     """The inputs with the height and roll of a compliant wheelset that carries the usual load."""
     found = system(contact_mode="elastic").evaluate(**inputs)

@@ -1,42 +1,24 @@
-"""Friction takes power and never gives any, its power is that of the forces, and forces add up: over random
-wheelsets, and where a wheel has more patches than are reported."""
+"""The power of friction is that of the forces, and forces add up, also where a wheel has more patches than
+are reported. tests/creep/test_moving_fuzz.py has that friction never drives."""
 
 import numpy as np
 import pytest
+from numpy.polynomial import chebyshev, polynomial
 
 import wrcontact
-from tests.helpers.bumps import LOAD, bumpy_system
 from tests.helpers.cases import STRIP_MODELS
 from tests.helpers.inside import work_of
-from tests.helpers.moving_fuzz import MODES, SIDES, draw_friction, draw_poses, draw_wheelset
 from wrcontact.interface.inputs import INPUTS
+from wrcontact.profiles import Profile
+from wrcontact.profiles.zones import Polynomial
 
 NORMAL = ("analyn", "analyn_strip")
-#: What rounding may leave, of friction times load times speed.
-ROUNDING = 1e-9
 MOTION = {"speed": 20.0, "lateral_velocity": 0.03, "yaw_rate": 0.02}
 
 
 def greatest_power(side, friction, given):
     """Friction times load at the speeds of the inputs (n,) [W]."""
     return friction * side.normal_force * (np.abs(given["speed"]) + 0.46 * np.abs(given["wheel_rate"]))
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_friction_never_drives(seed):
-    """Wheels and patches of random wheelsets, all motions."""
-    rng = np.random.default_rng([23, seed])
-    wheelset, friction = draw_friction(rng, draw_wheelset(rng, MODES[seed % len(MODES)]), 150)
-    wheelset |= {"normal_model": NORMAL[seed % 2], "tangential_model": STRIP_MODELS[seed % 3]}
-    given = draw_poses(rng, wheelset, 150) | friction
-    table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
-    good = table.status <= wrcontact.Status.UNLOADED
-    assert good.sum() > 60
-    for name in SIDES:
-        side = getattr(table, name)
-        for part in (side, *side.patches):
-            most = greatest_power(part, friction[f"{name}_friction"], given)
-            assert (part.friction_power[good] >= -ROUNDING * most[good] - 1e-12).all()
 
 
 @pytest.mark.parametrize("normal", NORMAL)
@@ -70,6 +52,31 @@ def test_power_is_that_of_force_and_moment(normal, model):
     assert np.abs(found - wanted).max() > 0.0
     assert (np.abs(found - wanted) < 1e-8 * most).all()
     np.testing.assert_allclose(table.driving_torque, -(moment.T * axle).sum(axis=0), atol=1e-8, rtol=1e-9)
+
+
+#: Slope of the cone and of the rail below it, height of the bumps and half of their width [mm].
+SLOPE, HEIGHT, HALF = 0.02, 0.02, 12
+#: Under this load [N] four bumps carry.
+LOAD = 1e5
+
+
+def bumpy_system(**parameters):
+    """A cone on a rail with bumps beside each other, a Chebyshev polynomial: a wheel has four patches."""
+    bumps = HEIGHT * chebyshev.cheb2poly([0.0] * 8 + [1.0]) / float(HALF)**np.arange(9)
+    head = polynomial.polyadd(bumps, [0.0, -SLOPE, 1.0 / 6000.0])
+    slope = polynomial.polyder(head)
+
+    def beyond(y):
+        """The head goes on with its slope at ``y`` and a radius of 80 mm."""
+        z, m, bend = polynomial.polyval(y, head), polynomial.polyval(y, slope), 1.0 / 160.0
+        return z - m * y + bend * y * y, m - 2.0 * bend * y, bend
+
+    rail = Profile("bumps", "rail", (Polynomial(-60, -HALF, beyond(-HALF)),
+                                     Polynomial(-HALF, HALF, tuple(head)),
+                                     Polynomial(HALF, 60, beyond(HALF))))
+    wheel = Profile("cone", "wheel", (Polynomial(-70, 60, (0.0, -SLOPE)),))
+    return wrcontact.ContactSystem(wheel=wheel, rail=rail, rail_inclination=0.0, gauge_depth=5.5e-3,
+                                   **parameters)
 
 
 @pytest.mark.parametrize("normal", NORMAL)
