@@ -10,7 +10,7 @@ import pytest
 from matplotlib.image import imread
 
 from data import brute_force
-from tests.helpers.paths import DATA, ROOT
+from tests.helpers.paths import DATA
 from tests.helpers.source_study import STUDY
 from wrcontact import ContactSystem
 from wrcontact.conventions import SIDES
@@ -347,32 +347,3 @@ def test_section_is_prepared_for_the_pose():
     slopes = [curve.direction(curve.origin) for curve in (section.wheel, section.rail)]
     assert slopes[0] == pytest.approx(slopes[1], abs=1e-9)
     assert slopes[0] == pytest.approx(-section.angle, abs=1e-9)
-
-
-# --- documentation --------------------------------------------------------------------------------
-
-
-NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
-
-
-def same_words(told, found):
-    """Whether two sentences are the same but for the last digit of their numbers; powers of ten but
-    for a factor of three."""
-    if NUMBER.sub("#", told) != NUMBER.sub("#", found):
-        return False
-    for one, other in zip(NUMBER.findall(told), NUMBER.findall(found)):
-        unit = 10.0**-len(one.partition(".")[2]) if "e" not in one else 3 * float(one)
-        if abs(float(one) - float(other)) > 1.01 * unit:
-            return False
-    return True
-
-
-@pytest.mark.machine
-@pytest.mark.parametrize("number", NUMBERS)
-def test_documentation_has_today_s_numbers(number):
-    """The table is what ``python -m benchmarks --write source_figures`` writes."""
-    page = (ROOT / "docs" / "source_study.md").read_text(encoding="utf-8")
-    row = re.search(rf"^\| {re.escape(number)} \| (.*) \| (.*) \| (.*) \| (.*) \|$", page, re.MULTILINE)
-    found = figure(number)
-    assert row and row[1] == found.claim and row[2] == found.verdict
-    assert same_words(row[3], found.finding) and same_words(row[4], found.key)
