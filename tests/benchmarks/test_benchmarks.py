@@ -172,7 +172,7 @@ def test_a_part_is_printed(capsys):
     __main__.main(["--quick", "stations", "station_times", "choices"])
     printed = capsys.readouterr().out
     assert re.findall("^### (.*)$", printed, re.MULTILINE) == ["choices", "stations"]
-    assert "| 201 |" in printed and "Times are those of commit" in printed
+    assert "| 201 |" in printed and "The unit is the time of" in printed
 
 
 # --- errors -------------------------------------------------------------------------------------------------
