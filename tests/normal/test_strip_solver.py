@@ -101,7 +101,7 @@ def test_elimination(size):
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
     """The strips on the gap B s^2 and constant A, laid at Hertz's penetration: relative errors in
     penetration, area and pressure (3,)."""
-    tables, work, state, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
+    tables, work, exact = lay_constant_curvatures(A, B, force, strips=count, sweeps=sweeps)
     contact, side = work.contact, work.sides[1]
     contact.frame.plane.cos, contact.frame.sunk, contact.filling = 1.0, True, True
     contact.regions[0].curvature = 2.0 * A
@@ -111,7 +111,7 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
     zone.level = 0.9 * exact
     zone.start, zone.stop = (side * math.sqrt(zone.level / B) for side in (-1, 1))
 
-    def trace(tables, contact, state, regions):
+    def trace(tables, contact, regions):
         for i in range(problem.count):
             strip = problem.strips[i]
             strip.overlap, strip.rise = exact - B * strip.station**2, 0.0
@@ -119,9 +119,9 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(strip_contact, "trace_strips", trace)
-        penetration, found = strip_contact.first_layout(tables, contact, state, 1, force, 0)
+        penetration, found = strip_contact.first_layout(tables, contact, 1, force, 0)
         assert found == 1
-        penetration, found = strip_contact.second_layout(tables, contact, state, 1, force, 0)
+        penetration, found = strip_contact.second_layout(tables, contact, 1, force, 0)
         assert found == 1
     fill_from_strips(tables, contact, side, 1)
     exact, a, b, pressure = hertz(A, B, force)

@@ -27,7 +27,7 @@ with (X, Z) the wheel's point at abscissa y in its present pose.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Frame, Place, State, Tables, seldom
+from ..layout import RAIL, WHEEL, Frame, Place, Tables, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
@@ -149,11 +149,11 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
 
 
 @seldom
-def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
+def pressed_gap(tables: Tables, frame: Frame, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
     [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
     pressed wheel."""
-    state.node_count += 1.0
+    frame.place.node_count += 1.0
     rail = tables.rail
     way = station - frame.station
     abscissa = rail_abscissa(tables, frame.traces[RAIL].abscissa, way)

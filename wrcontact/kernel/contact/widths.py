@@ -5,7 +5,7 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Region, State, Tables
+from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Region, Tables
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
@@ -45,8 +45,8 @@ def width_tolerance(estimate: float):
     return tolerance
 
 
-def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State,
-               direction: float, level: float, estimate: float):
+def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
+               estimate: float):
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
     bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
 
@@ -71,8 +71,8 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
     for i in range(WIDTH_ITERATIONS):
         if width > limit:
             width = limit
-        gap, rate, bend, curvature = separation(tables, frame, origin, state,
-                                                region.station + direction * width, tolerance)
+        gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
+                                                tolerance)
         if gap >= NO_GAP:
             # beyond an end the traces are lost
             start_traces(frame, station, abscissa, y)
@@ -106,7 +106,7 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
     return width
 
 
-def measure_widths(tables: Tables, contact: Contact, state: State, region: Region, local_penetration: float):
+def measure_widths(tables: Tables, contact: Contact, region: Region, local_penetration: float):
     """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
     both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
@@ -121,7 +121,7 @@ def measure_widths(tables: Tables, contact: Contact, state: State, region: Regio
         grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
-    high = zone_width(tables, contact.frame, contact.origin, region, state, 1.0, local_penetration, high)
+    high = zone_width(tables, contact.frame, contact.origin, region, 1.0, local_penetration, high)
     high_reached = region.reached
     slant = 0.0
     start = contact.frame.station
@@ -130,7 +130,7 @@ def measure_widths(tables: Tables, contact: Contact, state: State, region: Regio
         slant = outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
     if not region.width_penetration > 0.0:
         low = high
-    low = zone_width(tables, contact.frame, contact.origin, region, state, -1.0, local_penetration, low)
+    low = zone_width(tables, contact.frame, contact.origin, region, -1.0, local_penetration, low)
     if yawed:
         slant -= outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
         if start > contact.frame.station:

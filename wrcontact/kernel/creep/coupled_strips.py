@@ -151,7 +151,7 @@ def smooth_step(z: float):
     return value
 
 
-def solve_strips(tables: Tables, rolling: Rolling, patch: Patch):
+def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
     find_stiffnesses(tables, rolling, patch)
     add_strips(tables, rolling, patch)

@@ -29,7 +29,7 @@ def cut_patch(patch: Patch, strips: SolvedStrips):
     friction stay."""
     totals = patch.totals
     describe_ellipse(patch)
-    lay_strips(patch, totals.start, totals.stop)
+    divide_patch(patch, totals.start, totals.stop)
     if totals.width > 0.0:
         if patch.rule == RULE_ELLIPSE:
             cut_ellipse(patch)
@@ -69,7 +69,7 @@ def describe_ellipse(patch: Patch):
         patch.half_width = sqrt(totals.area / pi / ratio)
 
 
-def lay_strips(patch: Patch, start: float, stop: float):
+def divide_patch(patch: Patch, start: float, stop: float):
     """Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
     cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t)."""
     middle = 0.5 * (start + stop)

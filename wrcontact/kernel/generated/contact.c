@@ -763,7 +763,7 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     double rail_height;
     double rail_rate;
@@ -773,7 +773,7 @@ static inline int64_t frame__normal_gap(double* gap, double* result_1, double* r
     double wheel_rate;
     double wheel_bend;
     bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
     traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
@@ -878,13 +878,13 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
 }
 
 /* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state)
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
-    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, frame__PLACE_TRACE);
+    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0, frame__PLACE_TRACE);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
@@ -971,7 +971,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, arr
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
  * above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, array_double_1d state, int64_t node, int64_t direction, double height, int64_t first)
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
 {
     int64_t count;
     int64_t exponent;
@@ -989,7 +989,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
     while((node >= INT64_C(0)) && (node < count) && (entry > INT64_C(0)) && (entry < INT64_C(2) * layout__OVERLAP_LIMIT - INT64_C(1)))
     {
         overlap_samples__sample_overlap(&gap, &mismatch, &abscissa, work, tables, place, node, height, entry);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, place + layout__PLACE_GAP_COUNT)) += 1.0;
         on_rail = gap__above_rail(tables, abscissa);
         if (!on_rail)
         {
@@ -1045,7 +1045,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
 /* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
  * number.
  */
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height)
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height)
 {
     int64_t place;
     int64_t node;
@@ -1058,8 +1058,8 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
-    start = overlap_samples__walk_overlap(work, tables, place, state, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
-    stop = overlap_samples__walk_overlap(work, tables, place, state, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
+    start = overlap_samples__walk_overlap(work, tables, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
+    stop = overlap_samples__walk_overlap(work, tables, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
@@ -1789,7 +1789,7 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
  * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
  * pressed wheel.
  */
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station)
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station)
 {
     int64_t rail;
     double way;
@@ -1802,7 +1802,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     double rise_rate;
     double found_curvature;
     bool found;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
@@ -1964,12 +1964,12 @@ static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, do
 /* Press the wheel of the open frame, which just touches, straight down until its contact point is
  * ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail.
  */
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double penetration)
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration)
 {
     double height;
     int64_t count;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    count = overlaps__find_overlaps(work, tables, side, state, height);
+    count = overlaps__find_overlaps(work, tables, side, height);
     pressed_regions__press_frame(work, height, penetration, 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
     return count;
@@ -2046,7 +2046,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
  * frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
  * point where it just touched.
  */
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state)
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables)
 {
     int64_t contact;
     int64_t index;
@@ -2070,7 +2070,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
             pressed_regions__give_own_frame(work, tables, region, point);
         }
         traces__start_traces(work, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
-        pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0);
+        pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
         (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
@@ -2221,7 +2221,7 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
 /* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
  * region's minimum.
  */
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind)
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind)
 {
     bool exists;
     double lost;
@@ -2230,7 +2230,7 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     double z;
     double slope;
     double wheel_bend;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
         separation__vertical_rise(gap, rate, bend, &exists, work, tables, station);
@@ -2263,21 +2263,21 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        frame__normal_gap(gap, rate, bend, curvature, work, tables, state, station, tolerance);
+        frame__normal_gap(gap, rate, bend, curvature, work, tables, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(gap, rate, bend, curvature, work, tables, state, station);
+        pressed__pressed_gap(gap, rate, bend, curvature, work, tables, station);
     }
     else
     {
-        separation__moved_separation(gap, rate, bend, curvature, work, tables, state, station, kind);
+        separation__moved_separation(gap, rate, bend, curvature, work, tables, station, kind);
     }
     return 0;
 }
@@ -2544,7 +2544,7 @@ static inline double widths__width_tolerance(double estimate)
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
  * chosen separation, with arcs in place of the chords whose length follows from this width.
  */
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate)
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate)
 {
     double limit;
     double tolerance;
@@ -2589,7 +2589,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
         {
             width = limit;
         }
-        separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
+        separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
@@ -2647,7 +2647,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
  * both sides that follow from them, and the station its load is thought to act at.
  */
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration)
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration)
 {
     double bend;
     double low;
@@ -2675,7 +2675,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    high = widths__zone_width(work, tables, region, state, 1.0, local_penetration, high);
+    high = widths__zone_width(work, tables, region, 1.0, local_penetration, high);
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant = 0.0;
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
@@ -2688,7 +2688,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
     {
         low = high;
     }
-    low = widths__zone_width(work, tables, region, state, -1.0, local_penetration, low);
+    low = widths__zone_width(work, tables, region, -1.0, local_penetration, low);
     if (yawed)
     {
         slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));

@@ -368,7 +368,7 @@ static inline double coupled_strips__smooth_step(double z)
 }
 
 /* Force, moment, stick share and largest traction of a patch. */
-static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t patch)
+static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
     stiffness__find_stiffnesses(work, tables, patch);
     coupled_strips__add_strips(work, tables, patch);
@@ -505,7 +505,7 @@ static inline int64_t creep_force__solve_creep_force(array_double_1d work, array
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            coupled_strips__solve_strips(work, tables, patch);
+            coupled_strips__solve_coupled_strips(work, tables, patch);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
@@ -724,7 +724,7 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     cut__describe_ellipse(work, patch);
-    cut__lay_strips(work, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
+    cut__divide_patch(work, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
         if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
@@ -790,7 +790,7 @@ static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
 /* Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
  * cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t).
  */
-static inline int64_t cut__lay_strips(array_double_1d work, int64_t patch, double start, double stop)
+static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop)
 {
     double middle;
     double half;

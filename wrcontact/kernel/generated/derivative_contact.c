@@ -717,8 +717,9 @@ static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, dou
 }
 
 /* Derivative of ``normal_gap``. */
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
 {
+    int64_t k1;
     double rail_height;
     double rail_height_t;
     double rail_rate;
@@ -733,7 +734,8 @@ static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t,
     double wheel_bend;
     double wheel_bend_t;
     bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
@@ -856,7 +858,7 @@ static inline int64_t derivative_frame__incline_region_t(array_double_1d work, a
 }
 
 /* Derivative of ``measure_contact``. */
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     double gap;
     double gap_t;
@@ -866,7 +868,7 @@ static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, 
     double bend_t;
     double curvature;
     double curvature_t;
-    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
+    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
@@ -944,7 +946,7 @@ static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, doubl
 }
 
 /* Derivative of ``overlaps_rule``. */
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double height, double height_t)
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double height, double height_t)
 {
     int64_t n1;
     int64_t entry;
@@ -959,7 +961,7 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work,
     int64_t following;
     double v2;
     int64_t count;
-    n1 = overlaps__find_overlaps(work, tables, side, state, height);
+    n1 = overlaps__find_overlaps(work, tables, side, height);
     count = n1;
     for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
     {
@@ -1334,13 +1336,14 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t)
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t)
 {
+    int64_t k1;
     int64_t rail;
     double way_t;
     double way;
-    double v1;
-    double v1_t;
+    double v2;
+    double v2_t;
     double abscissa_t;
     double abscissa;
     int64_t trace;
@@ -1357,15 +1360,16 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
     double found_curvature;
     double found_curvature_t;
     bool found;
-    double v2;
     double v3;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    double v4;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
-    abscissa_t = v1_t;
-    abscissa = v1;
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    abscissa_t = v2_t;
+    abscissa = v2;
     (*gap_t) = 0.0;
     (*gap) = frame__NO_GAP;
     (*rate_t) = 0.0;
@@ -1392,10 +1396,10 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v2 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
-                v3 = v2 / way;
-                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v3 * way_t) / way;
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v3;
+                v3 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
+                v4 = v3 / way;
+                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v4 * way_t) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v4;
             }
             (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t;
             (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
@@ -1633,7 +1637,7 @@ static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d 
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double penetration, double penetration_t)
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double penetration, double penetration_t)
 {
     double v1;
     double height_t;
@@ -1643,7 +1647,7 @@ static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d w
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
-    n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+    n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, height, height_t);
     count = n2;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
@@ -1748,7 +1752,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     int64_t contact;
     int64_t index;
@@ -1780,7 +1784,7 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
             derivative_pressed_regions__give_own_frame_t(work, work_t, tables, region, point);
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0);
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0);
         (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
@@ -2049,8 +2053,9 @@ static inline int64_t derivative_separation__depth_lost_t(double* result_0, doub
 }
 
 /* Derivative of ``moved_separation``. */
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, int64_t kind)
+static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, int64_t kind)
 {
+    int64_t k1;
     bool exists;
     double lost;
     double lost_t;
@@ -2064,11 +2069,12 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     double slope_t;
     double wheel_bend;
     double wheel_bend_t;
-    double v1;
-    double v1_t;
     double v2;
     double v2_t;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    double v3;
+    double v3_t;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
         derivative_separation__vertical_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, work, work_t, tables, station, station_t);
@@ -2097,31 +2103,31 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    derivative_pressed__mean_bend_t(&v1, &v1_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
-    wheel_bend_t = v1_t;
-    wheel_bend = v1;
-    derivative_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
-    (*curvature_t) = v2_t;
-    (*curvature) = v2;
+    derivative_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
+    wheel_bend_t = v2_t;
+    wheel_bend = v2;
+    derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    (*curvature_t) = v3_t;
+    (*curvature) = v3;
     return 0;
 }
 
 /* Derivative of ``separation``. */
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, tolerance, tolerance_t);
+        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t);
+        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t);
     }
     else
     {
-        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, kind);
+        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, kind);
     }
     return 0;
 }
@@ -2540,7 +2546,7 @@ static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, do
 }
 
 /* Derivative of ``zone_width``. */
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2628,7 +2634,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
             width_t = limit_t;
             width = limit;
         }
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
@@ -2710,7 +2716,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
 }
 
 /* Derivative of ``measure_widths``. */
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double local_penetration, double local_penetration_t)
 {
     double bend_t;
     double bend;
@@ -2779,7 +2785,7 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
         high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    derivative_widths__width_rule_t(&v6, &v6_t, work, work_t, tables, region, state, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
+    derivative_widths__width_rule_t(&v6, &v6_t, work, work_t, tables, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
     high_t = v6_t;
     high = v6;
     high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
@@ -2800,7 +2806,7 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
         low_t = high_t;
         low = high;
     }
-    derivative_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, state, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
+    derivative_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
     low_t = v8_t;
     low = v8;
     if (yawed)
@@ -2867,7 +2873,7 @@ static inline int64_t derivative_widths__side_curvature_t(double* curvature, dou
 }
 
 /* Derivative of ``width_rule``. */
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2893,7 +2899,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
     double y_t;
     double y;
     double out;
-    derivative_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, state, direction, direction_t, level, level_t, estimate, estimate_t);
+    derivative_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, direction, direction_t, level, level_t, estimate, estimate_t);
     (*width_t) = v1_t;
     (*width) = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
@@ -2905,7 +2911,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
         tolerance_t = v3_t;
         tolerance = v3;
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
         rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -2914,7 +2920,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         {
             moved = missing / (rate * direction);
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
         x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
@@ -2929,7 +2935,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         {
             moved = (-wheel_rate) / out;
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, moved, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
         (*width_t) = moved;
         (*cspan_at(&work_t, region + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
     }
@@ -2937,13 +2943,13 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
 }
 
 /* Derivative of ``width_jet``. */
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
 {
     double bend;
     double bend_t;
     double curvature;
     double curvature_t;
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

@@ -672,8 +672,8 @@ static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, do
     return 0;
 }
 
-/* Derivative of ``solve_strips``. */
-static inline int64_t derivative_coupled_strips__solve_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+/* Derivative of ``solve_coupled_strips``. */
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
     derivative_coupled_strips__add_strips_t(work, work_t, tables, patch);
@@ -887,7 +887,7 @@ static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            derivative_coupled_strips__solve_strips_t(work, work_t, tables, patch);
+            derivative_coupled_strips__solve_coupled_strips_t(work, work_t, tables, patch);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
@@ -1191,7 +1191,7 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_do
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     derivative_cut__describe_ellipse_t(work, work_t, patch);
-    derivative_cut__lay_strips_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
+    derivative_cut__divide_patch_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
         if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
@@ -1286,8 +1286,8 @@ static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, a
     return INT64_C(0);
 }
 
-/* Derivative of ``lay_strips``. */
-static inline int64_t derivative_cut__lay_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t)
+/* Derivative of ``divide_patch``. */
+static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t)
 {
     double v1;
     double middle_t;

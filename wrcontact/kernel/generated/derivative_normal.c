@@ -271,7 +271,7 @@ static inline int64_t derivative_analyn__load_regions_t(double* total, double* t
 }
 
 /* Derivative of ``penetrations_rule``. */
-static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
+static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
 {
     double given_t;
     double given;
@@ -303,7 +303,7 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
     double n4;
     given_t = penetration_t;
     given = penetration;
-    analyn__solve_penetrations(&penetration, satisfied, work, tables, state, count, force, penetration, prescribed);
+    analyn__solve_penetrations(&penetration, satisfied, work, tables, count, force, penetration, prescribed);
     penetration_t = 0.0;
     if (!(*satisfied))
     {
@@ -404,9 +404,9 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
-    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         derivative_frame__locate_along_track_t(work, work_t, tables, (*count));
@@ -416,7 +416,7 @@ static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetr
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     double v1;
@@ -434,12 +434,12 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        derivative_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, state, force, force_t);
+        derivative_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
     }
@@ -449,14 +449,14 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     {
         estimate_t = (*penetration_t);
         estimate = (*penetration);
-        n2 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+        n2 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
         if (n2 == INT64_C(0))
         {
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, estimate, estimate_t, force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, estimate, estimate_t, force, force_t, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -466,25 +466,25 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
 {
     int64_t n1;
     int64_t n2;
-    n1 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
+    n1 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
     (*count) = n1;
-    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         derivative_deep_points__keep_deepest_t(work, work_t);
-        n2 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
+        n2 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
         (*count) = n2;
-        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }
     return 0;
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double penetration, double penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t)
 {
     int64_t i;
     int64_t n1;
@@ -496,14 +496,14 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
+    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
     count = n1;
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
 
 /* Derivative of ``solve_fine``. */
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
 {
     double start_t;
     double start;
@@ -516,8 +516,8 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        derivative_nodes__prepare_regions_t(work, work_t, tables, state, count, enlarge, 0.0);
-        derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
+        derivative_nodes__prepare_regions_t(work, work_t, tables, count, enlarge, 0.0);
+        derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
@@ -1183,7 +1183,7 @@ static inline int64_t derivative_estimate__guess_penetration_t(double* v8, doubl
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     double A_t;
     double A;
@@ -1209,7 +1209,7 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     guess_t = v1_t;
     guess = v1;
-    derivative_widths__measure_widths_t(work, work_t, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
+    derivative_widths__measure_widths_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
     width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
@@ -1238,14 +1238,14 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
 }
 
 /* Derivative of ``first_penetration``. */
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     double v2;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
-    derivative_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    derivative_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return 0;
 }
 
@@ -1701,7 +1701,7 @@ static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, dou
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
 {
     double v1;
     double v1_t;
@@ -1724,7 +1724,7 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     derivative_curves__open_origin_t(work, work_t, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
     (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
@@ -1738,11 +1738,11 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
-    n4 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
+    n4 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n4;
     (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    n5 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
+    n5 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n5;
     (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
@@ -1794,7 +1794,7 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
     double station_t;
@@ -1813,7 +1813,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
     station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
     derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, v2, v2_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, station, station_t, v2, v2_t);
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -1834,7 +1834,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -1867,12 +1867,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, a
     {
         if ((k == traced) && (!ended))
         {
-            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
+            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
                 derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
+                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -2124,7 +2124,7 @@ static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* 
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double enlarge, double enlarge_t)
 {
     int64_t i;
     int64_t region;
@@ -2134,18 +2134,18 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, 
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        derivative_widths__measure_widths_t(work, work_t, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_widths__measure_widths_t(work, work_t, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
-        derivative_nodes__prepare_nodes_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
+        derivative_nodes__prepare_nodes_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
 {
     bool yawed;
     double reach_t;
@@ -2181,7 +2181,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, ar
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    derivative_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    derivative_nodes__lay_nodes_t(work, work_t, tables, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     derivative_nodes__bring_nearer_t(work, work_t, region, nodes);
     derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -2324,7 +2324,7 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
 }
 
 /* Derivative of ``solve_normal``. */
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -2334,15 +2334,15 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, force, force_t);
+        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, force, force_t);
     }
     else
     {
-        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     }
     return 0;
 }
@@ -2755,7 +2755,7 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d wo
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double deepest, double deepest_t)
 {
     int64_t index;
     int64_t region;
@@ -2763,14 +2763,14 @@ static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d wor
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         derivative_frame__enter_plane_t(work, work_t, region, index);
-        derivative_strip_contact__measure_zone_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
+        derivative_strip_contact__measure_zone_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
         derivative_frame__leave_plane_t(work, work_t, region);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t zone, double deepest, double deepest_t)
 {
     double depth_t;
     double depth;
@@ -2828,10 +2828,10 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
         estimate = v3;
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v4, &v4_t, work, work_t, tables, region, state, 1.0, 0.0, level, level_t, estimate, estimate_t);
+        derivative_widths__width_rule_t(&v4, &v4_t, work, work_t, tables, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
         high_t = v4_t;
         high = v4;
-        derivative_widths__width_rule_t(&v5, &v5_t, work, work_t, tables, region, state, -1.0, 0.0, level, level_t, high, high_t);
+        derivative_widths__width_rule_t(&v5, &v5_t, work, work_t, tables, region, -1.0, 0.0, level, level_t, high, high_t);
         low_t = v5_t;
         low = v5;
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
@@ -2843,31 +2843,31 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, int64_t wanted)
 {
     derivative_strip_layout__divide_cells_t(work, work_t, count, wanted);
-    derivative_strip_surfaces__trace_strips_t(work, work_t, tables, state, count);
+    derivative_strip_surfaces__trace_strips_t(work, work_t, tables, count);
     derivative_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     derivative_strip_surfaces__incline_strips_t(work, work_t, tables);
     return INT64_C(0);
 }
 
 /* Derivative of ``first_layout``. */
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
     bool found;
     int64_t sweep;
     derivative_strip_layout__zone_cells_t(work, work_t, count);
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
     derivative_strip_surfaces__first_lengths_t(work, work_t, tables, count);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, by_penetration);
+        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, by_penetration);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2886,7 +2886,7 @@ static inline int64_t derivative_strip_contact__first_layout_t(double* result_0,
 }
 
 /* Derivative of ``second_layout``. */
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
@@ -2895,7 +2895,7 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
     int64_t sweep;
     bool last;
     bool given;
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     derivative_strip_surfaces__lengths_before_t(work, work_t, tables);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -2909,7 +2909,7 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
         {
             given = by_penetration;
         }
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, given);
+        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, given);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2933,16 +2933,16 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
 }
 
 /* Derivative of ``solve_strips``. */
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration)
 {
     derivative_strip_surfaces__set_gaps_t(work, work_t);
     derivative_strip_pressures__begin_influences_t(work, work_t);
-    derivative_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, state, force, force_t, by_penetration, frame__is_yawed(work));
+    derivative_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, force, force_t, by_penetration, frame__is_yawed(work));
     return 0;
 }
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     int64_t n1;
@@ -2960,9 +2960,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     by_penetration = isfinite(prescribed);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+        n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
         count = n1;
-        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, 1);
+        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, 1);
     }
     else
     {
@@ -2970,7 +2970,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         estimate = prescribed;
         if (!by_penetration)
         {
-            derivative_estimate__first_penetration_t(&v2, &v2_t, work, work_t, tables, state, force, force_t);
+            derivative_estimate__first_penetration_t(&v2, &v2_t, work, work_t, tables, force, force_t);
             estimate_t = v2_t;
             estimate = v2;
         }
@@ -2982,7 +2982,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         {
             estimate_t = penetration_t;
             estimate = penetration;
-            n3 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+            n3 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
             if (n3 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
@@ -2991,9 +2991,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 (*result_3) = 0;
                 return 0;
             }
-            n4 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+            n4 = derivative_strip_contact__open_zones_t(work, work_t, tables);
             count = n4;
-            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
             {
                 break;
@@ -3008,7 +3008,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     }
     if (satisfied)
     {
-        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
     }
     if (satisfied)
     {
@@ -3027,12 +3027,12 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     int64_t n1;
-    n1 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+    n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
     (*count) = n1;
-    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, 0);
+    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, 0);
     if ((*satisfied))
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
@@ -3041,17 +3041,17 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     int64_t n1;
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
+    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_contact__find_zones_t(work, work_t, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_contact__find_zones_t(work, work_t, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -5056,7 +5056,7 @@ static inline int64_t derivative_strip_pressures__end_displacement_t(double* tot
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration, bool yawed)
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
 {
     double penetration_t;
     double penetration;
@@ -5071,7 +5071,7 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* resu
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_STRIP_COUNT)) = (*cspan_at(&state, layout__STATE_STRIP_COUNT)) + 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
         derivative_strip_pressures__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         n1 = derivative_strip_pressures__list_loaded_t(work, work_t);
         size = n1;
@@ -5271,7 +5271,7 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
  */
 
 /* Derivative of ``trace_strips``. */
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -5298,7 +5298,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
                     derivative_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
                     started = 1;
                 }
-                derivative_strip_surfaces__trace_strip_t(work, work_t, tables, state, region, strip);
+                derivative_strip_surfaces__trace_strip_t(work, work_t, tables, region, strip);
             }
         }
         derivative_frame__leave_plane_t(work, work_t, region);
@@ -5307,7 +5307,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
 }
 
 /* Derivative of ``trace_strip``. */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t strip)
 {
     double gap;
     double gap_t;
@@ -5326,7 +5326,7 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d w
     double v3;
     double v4;
     double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
     (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;

@@ -309,8 +309,8 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
  * Derivatives of outline.py.
  */
 
-/* Derivative of ``quadratic_at``. */
-static inline int64_t derivative_outline__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
+/* Derivative of ``curved_at``. */
+static inline int64_t derivative_outline__curved_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
 {
     int64_t index;
     int64_t region;
@@ -580,7 +580,7 @@ static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            derivative_outline__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
+            derivative_outline__curved_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
         if (half_length > largest)
         {

@@ -7,8 +7,8 @@
 /* layout/__init__.py */
 static const int64_t layout__INPUT_COUNT = INT64_C(29);
 static const int64_t layout__OUTPUT_COUNT = INT64_C(543);
-static const int64_t layout__WORK_SIZE = INT64_C(61233);
-static const int64_t layout__STATE_SIZE = INT64_C(11);
+static const int64_t layout__WORK_SIZE = INT64_C(61111);
+static const int64_t layout__STATE_SIZE = INT64_C(5);
 static const int64_t layout__SETTING_COUNT = INT64_C(63);
 static const int64_t layout__SETUP_SIZE = INT64_C(33);
 static const int64_t layout__PARAMETERS_SIZE = INT64_C(27);
@@ -174,31 +174,25 @@ static const int64_t layout__PARAMETERS_CONTACT_DAMPING = INT64_C(25);
 static const int64_t layout__PARAMETERS_STATIONS = INT64_C(26);
 static const int64_t layout__STATE_ROLL = INT64_C(0);
 static const int64_t layout__STATE_WARM = INT64_C(1);
-static const int64_t layout__STATE_GAP_COUNT = INT64_C(2);
-static const int64_t layout__STATE_SCAN_COUNT = INT64_C(3);
-static const int64_t layout__STATE_ROLL_COUNT = INT64_C(4);
-static const int64_t layout__STATE_NODE_COUNT = INT64_C(5);
-static const int64_t layout__STATE_SOLVE_COUNT = INT64_C(6);
-static const int64_t layout__STATE_Y_LEFT = INT64_C(7);
-static const int64_t layout__STATE_Y_RIGHT = INT64_C(8);
-static const int64_t layout__STATE_SHIFT = INT64_C(9);
-static const int64_t layout__STATE_STRIP_COUNT = INT64_C(10);
+static const int64_t layout__STATE_Y_LEFT = INT64_C(2);
+static const int64_t layout__STATE_Y_RIGHT = INT64_C(3);
+static const int64_t layout__STATE_SHIFT = INT64_C(4);
 static const int64_t layout__WORK_INPUTS = INT64_C(0);
 static const int64_t layout__WORK_KNOWN = INT64_C(29);
 static const int64_t layout__WORK_STATUS = INT64_C(30);
 static const int64_t layout__WORK_OUTPUTS = INT64_C(31);
 static const int64_t layout__WORK_OUTLINES = INT64_C(574);
 static const int64_t layout__WORK_SIDES = INT64_C(2584);
-static const int64_t layout__WORK_CONTACT = INT64_C(10690);
-static const int64_t layout__WORK_SUPPORTS = INT64_C(59906);
-static const int64_t layout__WORK_BROYDEN = INT64_C(59918);
-static const int64_t layout__WORK_HEIGHT_BRACKET = INT64_C(59926);
-static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(59930);
-static const int64_t layout__WORK_TRIALS = INT64_C(59934);
-static const int64_t layout__WORK_REFERENCE = INT64_C(60178);
-static const int64_t layout__WORK_WHEELSET = INT64_C(60186);
-static const int64_t layout__WORK_ROLLING = INT64_C(60203);
-static const int64_t layout__WORK_PATCH = INT64_C(60910);
+static const int64_t layout__WORK_CONTACT = INT64_C(10564);
+static const int64_t layout__WORK_SUPPORTS = INT64_C(59784);
+static const int64_t layout__WORK_BROYDEN = INT64_C(59796);
+static const int64_t layout__WORK_HEIGHT_BRACKET = INT64_C(59804);
+static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(59808);
+static const int64_t layout__WORK_TRIALS = INT64_C(59812);
+static const int64_t layout__WORK_REFERENCE = INT64_C(60056);
+static const int64_t layout__WORK_WHEELSET = INT64_C(60064);
+static const int64_t layout__WORK_ROLLING = INT64_C(60081);
+static const int64_t layout__WORK_PATCH = INT64_C(60788);
 static const int64_t layout__OUT_RIGHT = INT64_C(279);
 static const int64_t layout__SIDE_SIZE = INT64_C(264);
 static const int64_t layout__PATCH_OUTPUTS_SIZE = INT64_C(25);
@@ -212,9 +206,9 @@ static const int64_t layout__WHEEL = INT64_C(1);
 static const int64_t layout__PIECE_SIZE = INT64_C(7);
 static const int64_t layout__PROFILE_HEAD = INT64_C(5);
 static const int64_t layout__CUBIC_SIZE = INT64_C(4);
-static const int64_t layout__PLACE_SIZE = INT64_C(21);
+static const int64_t layout__PLACE_SIZE = INT64_C(23);
 static const int64_t layout__FRAME_SIZE = INT64_C(27);
-static const int64_t layout__REGION_SIZE = INT64_C(37);
+static const int64_t layout__REGION_SIZE = INT64_C(38);
 static const int64_t layout__OVERLAP_LIMIT = INT64_C(200);
 static const int64_t layout__DEEP_LIMIT = INT64_C(9);
 static const int64_t layout__ROLLING_STRIP_LIMIT = INT64_C(16);
@@ -302,7 +296,6 @@ static const int64_t layout__INFLUENCE_MAP = INT64_C(14112);
 static const int64_t layout__HERTZ_ROW = INT64_C(12);
 static const int64_t layout__SCAN_LIMIT = INT64_C(400);
 static const int64_t layout__EXPONENTS = INT64_C(6);
-static const int64_t layout__CANDIDATES = INT64_C(16);
 static const int64_t layout__STACK_LIMIT = INT64_C(52);
 static const int64_t layout__TRIAL_LIMIT = INT64_C(60);
 static const int64_t layout__START_COUNT = INT64_C(61);
@@ -508,16 +501,17 @@ static const int64_t layout__PATCH_STICK_SHARE = INT64_C(305);
 static const int64_t layout__PATCH_MAX_SHEAR = INT64_C(306);
 static const int64_t layout__PATCH_SATURATION = INT64_C(307);
 static const int64_t layout__PATCH_FORCES = INT64_C(308);
-static const int64_t layout__STRIP_PROBLEM_SIZE = INT64_C(25076);
+static const int64_t layout__STRIP_PROBLEM_SIZE = INT64_C(25077);
 static const int64_t layout__STRIP_PROBLEM_PENETRATION = INT64_C(0);
 static const int64_t layout__STRIP_PROBLEM_COUNT = INT64_C(1);
 static const int64_t layout__STRIP_PROBLEM_CELL_COUNT = INT64_C(2);
-static const int64_t layout__STRIP_PROBLEM_ZONES = INT64_C(3);
-static const int64_t layout__STRIP_PROBLEM_CELLS = INT64_C(12);
-static const int64_t layout__STRIP_PROBLEM_STRIPS = INT64_C(636);
-static const int64_t layout__STRIP_PROBLEM_LOADED = INT64_C(3340);
-static const int64_t layout__STRIP_PROBLEM_NEAR = INT64_C(3444);
-static const int64_t layout__STRIP_PROBLEM_INFLUENCES = INT64_C(14260);
+static const int64_t layout__STRIP_PROBLEM_STRIP_COUNT = INT64_C(3);
+static const int64_t layout__STRIP_PROBLEM_ZONES = INT64_C(4);
+static const int64_t layout__STRIP_PROBLEM_CELLS = INT64_C(13);
+static const int64_t layout__STRIP_PROBLEM_STRIPS = INT64_C(637);
+static const int64_t layout__STRIP_PROBLEM_LOADED = INT64_C(3341);
+static const int64_t layout__STRIP_PROBLEM_NEAR = INT64_C(3445);
+static const int64_t layout__STRIP_PROBLEM_INFLUENCES = INT64_C(14261);
 static const int64_t layout__ROLL_TRIALS_SIZE = INT64_C(244);
 static const int64_t layout__ROLL_TRIALS_NEAR = INT64_C(0);
 static const int64_t layout__ROLL_TRIALS_FAR = INT64_C(4);
@@ -604,20 +598,20 @@ static const int64_t layout__TABLES_TANGENTIAL = INT64_C(33);
 static const int64_t layout__TABLES_SHEAR_MODULUS = INT64_C(34);
 static const int64_t layout__TABLES_ROLLING = INT64_C(35);
 static const int64_t layout__TABLES_PARAMETERS = INT64_C(36);
-static const int64_t layout__CONTACT_SIZE = INT64_C(49216);
+static const int64_t layout__CONTACT_SIZE = INT64_C(49220);
 static const int64_t layout__CONTACT_FILLING = INT64_C(0);
 static const int64_t layout__CONTACT_COARSE = INT64_C(1);
 static const int64_t layout__CONTACT_FOLLOWING = INT64_C(2);
 static const int64_t layout__CONTACT_FRAME = INT64_C(3);
 static const int64_t layout__CONTACT_REGIONS = INT64_C(30);
-static const int64_t layout__CONTACT_NODES = INT64_C(141);
-static const int64_t layout__CONTACT_STRIPS = INT64_C(5517);
-static const int64_t layout__CONTACT_STRIP_PROBLEM = INT64_C(10893);
-static const int64_t layout__CONTACT_EQUATIONS = INT64_C(35969);
-static const int64_t layout__CONTACT_ORIGIN = INT64_C(46993);
-static const int64_t layout__CONTACT_FRAMES = INT64_C(47000);
-static const int64_t layout__CONTACT_OVERLAP = INT64_C(47108);
-static const int64_t layout__CONTACT_DEEP_POINTS = INT64_C(49184);
+static const int64_t layout__CONTACT_NODES = INT64_C(144);
+static const int64_t layout__CONTACT_STRIPS = INT64_C(5520);
+static const int64_t layout__CONTACT_STRIP_PROBLEM = INT64_C(10896);
+static const int64_t layout__CONTACT_EQUATIONS = INT64_C(35973);
+static const int64_t layout__CONTACT_ORIGIN = INT64_C(46997);
+static const int64_t layout__CONTACT_FRAMES = INT64_C(47004);
+static const int64_t layout__CONTACT_OVERLAP = INT64_C(47112);
+static const int64_t layout__CONTACT_DEEP_POINTS = INT64_C(49188);
 static const int64_t layout__PIECE_START = INT64_C(0);
 static const int64_t layout__PIECE_C0 = INT64_C(1);
 static const int64_t layout__PIECE_C1 = INT64_C(2);
@@ -650,6 +644,8 @@ static const int64_t layout__PLACE_RAIL_COS = INT64_C(17);
 static const int64_t layout__PLACE_TRACK_SIN_YAW = INT64_C(18);
 static const int64_t layout__PLACE_TRACK_COS_YAW = INT64_C(19);
 static const int64_t layout__PLACE_REFERENCE = INT64_C(20);
+static const int64_t layout__PLACE_GAP_COUNT = INT64_C(21);
+static const int64_t layout__PLACE_NODE_COUNT = INT64_C(22);
 static const int64_t layout__POINT_SIZE = INT64_C(2);
 static const int64_t layout__POINT_Y = INT64_C(0);
 static const int64_t layout__POINT_Z = INT64_C(1);
@@ -697,6 +693,7 @@ static const int64_t layout__REGION_CARRIED = INT64_C(33);
 static const int64_t layout__REGION_INCLINATION = INT64_C(34);
 static const int64_t layout__REGION_X_TRACK = INT64_C(35);
 static const int64_t layout__REGION_STRIP = INT64_C(36);
+static const int64_t layout__REGION_SOLVE_COUNT = INT64_C(37);
 static const int64_t layout__DEEP_POINT_SIZE = INT64_C(5);
 static const int64_t layout__DEEP_POINT_RAIL = INT64_C(0);
 static const int64_t layout__DEEP_POINT_WHEEL = INT64_C(1);
@@ -913,9 +910,6 @@ static const int64_t layout__CELL_GAP_LOW = INT64_C(2);
 static const int64_t layout__CELL_GAP_HIGH = INT64_C(3);
 static const int64_t layout__CELL_MISMATCH_LOW = INT64_C(4);
 static const int64_t layout__CELL_MISMATCH_HIGH = INT64_C(5);
-static const int64_t layout__CANDIDATE_SIZE = INT64_C(2);
-static const int64_t layout__CANDIDATE_Y = INT64_C(0);
-static const int64_t layout__CANDIDATE_RAIL = INT64_C(1);
 static const int64_t layout__CONTACT_POINT_SIZE = INT64_C(12);
 static const int64_t layout__CONTACT_POINT_X_WHEEL = INT64_C(0);
 static const int64_t layout__CONTACT_POINT_Y_WHEEL = INT64_C(1);
@@ -929,24 +923,22 @@ static const int64_t layout__CONTACT_POINT_CONTACT_ANGLE = INT64_C(8);
 static const int64_t layout__CONTACT_POINT_ROLLING_RADIUS = INT64_C(9);
 static const int64_t layout__CONTACT_POINT_CURVATURE_X = INT64_C(10);
 static const int64_t layout__CONTACT_POINT_CURVATURE_Y = INT64_C(11);
-static const int64_t layout__SIDE_SEARCH_SIZE = INT64_C(4053);
+static const int64_t layout__SIDE_SEARCH_SIZE = INT64_C(3990);
 static const int64_t layout__SIDE_SEARCH_PLACE = INT64_C(0);
-static const int64_t layout__SIDE_SEARCH_BEST = INT64_C(21);
-static const int64_t layout__SIDE_SEARCH_BEST_Y = INT64_C(22);
-static const int64_t layout__SIDE_SEARCH_BEST_RAIL = INT64_C(23);
-static const int64_t layout__SIDE_SEARCH_REACH = INT64_C(24);
-static const int64_t layout__SIDE_SEARCH_FIRST = INT64_C(25);
-static const int64_t layout__SIDE_SEARCH_LAST = INT64_C(26);
-static const int64_t layout__SIDE_SEARCH_CANDIDATES = INT64_C(27);
-static const int64_t layout__SIDE_SEARCH_STACK = INT64_C(91);
-static const int64_t layout__SIDE_SEARCH_POINT = INT64_C(403);
-static const int64_t layout__SIDE_SEARCH_PENETRATION = INT64_C(415);
-static const int64_t layout__SIDE_SEARCH_PATCH_COUNT = INT64_C(416);
-static const int64_t layout__SIDE_SEARCH_PATCHES = INT64_C(417);
-static const int64_t layout__SIDE_SEARCH_TOTALS = INT64_C(3001);
-static const int64_t layout__SIDE_SEARCH_OUTLINE = INT64_C(3010);
-static const int64_t layout__SIDE_SEARCH_MOTION = INT64_C(4015);
-static const int64_t layout__SIDE_SEARCH_FORCES = INT64_C(4038);
+static const int64_t layout__SIDE_SEARCH_BEST = INT64_C(23);
+static const int64_t layout__SIDE_SEARCH_BEST_Y = INT64_C(24);
+static const int64_t layout__SIDE_SEARCH_BEST_RAIL = INT64_C(25);
+static const int64_t layout__SIDE_SEARCH_SCAN_COUNT = INT64_C(26);
+static const int64_t layout__SIDE_SEARCH_ROLL_COUNT = INT64_C(27);
+static const int64_t layout__SIDE_SEARCH_STACK = INT64_C(28);
+static const int64_t layout__SIDE_SEARCH_POINT = INT64_C(340);
+static const int64_t layout__SIDE_SEARCH_PENETRATION = INT64_C(352);
+static const int64_t layout__SIDE_SEARCH_PATCH_COUNT = INT64_C(353);
+static const int64_t layout__SIDE_SEARCH_PATCHES = INT64_C(354);
+static const int64_t layout__SIDE_SEARCH_TOTALS = INT64_C(2938);
+static const int64_t layout__SIDE_SEARCH_OUTLINE = INT64_C(2947);
+static const int64_t layout__SIDE_SEARCH_MOTION = INT64_C(3952);
+static const int64_t layout__SIDE_SEARCH_FORCES = INT64_C(3975);
 static const int64_t layout__ROLL_TRIAL_SIZE = INT64_C(4);
 static const int64_t layout__ROLL_TRIAL_ROLL = INT64_C(0);
 static const int64_t layout__ROLL_TRIAL_DIFFERENCE = INT64_C(1);
@@ -979,8 +971,8 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
 static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius);
 static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
+static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
+static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
 static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y);
 
 /* surface/rails.py */
@@ -997,7 +989,7 @@ static inline double tables__read_cubic(array_double_1d tables, int64_t table, d
 static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at);
 static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y);
 static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y);
-static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
+static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
 
 /* search/bounds.py */
 static const double bounds__REACH_SHARE = 1.2;
@@ -1025,7 +1017,6 @@ static inline int64_t bounds__least_bend(double* bend, double* stretch, array_do
 static inline int64_t bounds__stretch_bend(double* length, double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, int64_t exponent, double u);
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
-static inline int64_t bounds__rising_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
 static inline double bounds__least_slope(double least, double most, double width, double first, double last);
@@ -1042,18 +1033,18 @@ static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_do
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
 static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine);
 static inline bool first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine);
-static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll, double turned);
-static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll);
+static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, double known, double roll, double turned);
+static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll);
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll);
 static inline double first_root__lever_at(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t at, double one, double other);
-static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t near, int64_t far, double sign);
+static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, int64_t at, double one, double other);
+static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, int64_t near, int64_t far, double sign);
 static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial, int64_t to);
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double near, double middle, double sign);
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll);
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double near, double middle, double sign);
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
 
 /* search/roll.py */
 static const double roll__ROLL_SHARP = 1e-14;
@@ -1069,40 +1060,33 @@ static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
-static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, bool known);
+static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, bool known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
-static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state);
+static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side);
 static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables);
 static inline bool roll__on_profiles(array_double_1d tables, double y, double abscissa);
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double low, double high);
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double first, double last, bool known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
+static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double low, double high);
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double first, double last, bool known);
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
 
 /* search/smallest_gap.py */
+static const double smallest_gap__NARROW = 2e-06;
+static const double smallest_gap__SHARP = 1e-13;
+static const int64_t smallest_gap__REFINEMENTS = INT64_C(60);
+static const double smallest_gap__ROUNDING = 1e-15;
+static const double smallest_gap__LARGE_GAP = 1000.0;
 static const int64_t smallest_gap__PROBE_STRIDE = INT64_C(8);
-static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t stride);
-static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, bool known);
-static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa);
-
-/* search/walk.py */
-static const double walk__NARROW = 2e-06;
-static const double walk__LISTED_ONE = 0.00025;
-static const double walk__SHARP = 1e-13;
-static const double walk__LISTED_SHARP = 2e-06;
-static const int64_t walk__REFINEMENTS = INT64_C(60);
-static const double walk__ROUNDING = 1e-15;
-static const double walk__LARGE_GAP = 1000.0;
-static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
-static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
-static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
-static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
-static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
-static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
-static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
-static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, bool listing);
-static inline int64_t walk__search_between(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa, bool listing);
-static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing);
+static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
+static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
+static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
+static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, int64_t cell);
+static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline int64_t smallest_gap__search_cell(array_double_1d work, array_double_1d tables, int64_t side, double least, double most, double first, double last);
+static inline int64_t smallest_gap__search_end(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t outward);
+static inline int64_t smallest_gap__search_between(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, double abscissa);
+static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t direction);
+static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, int64_t stride);
+static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, bool known);
 
 /* contact/curves.py */
 static const double curves__GAUSS_1 = 0.2386191860831969;
@@ -1152,7 +1136,7 @@ static const double frame__NO_GAP = 1.0;
 static const double frame__BEYOND = 1.0;
 static const double frame__PLACE_TRACE = 1e-08;
 static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift);
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
 static inline bool frame__is_yawed(array_double_1d work);
 static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot);
 static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot);
@@ -1160,13 +1144,13 @@ static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region);
 static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables);
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
 static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry);
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, array_double_1d state, int64_t node, int64_t direction, double height, int64_t first);
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
 
 /* contact/overlaps.py */
 static const int64_t overlaps__PARTS = INT64_C(8);
@@ -1193,7 +1177,7 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place);
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height);
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height);
 
 /* contact/pressed.py */
 static const double pressed__LINE_SHARP = 1e-08;
@@ -1210,25 +1194,25 @@ static const double pressed__ZERO_RISE = 1e-09;
 static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
 static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
 static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
 static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double penetration);
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state);
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables);
 
 /* contact/separation.py */
 static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables);
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind);
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind);
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
 
 /* contact/traces.py */
 static const double traces__EXTRAPOLATED = 0.004;
@@ -1252,9 +1236,9 @@ static const double widths__LEAST_BEND = 1.0;
 static const double widths__MOST_BEND = 100.0;
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate);
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate);
 static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration);
 
 /* patch/filling.py */
 static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start);
@@ -1272,7 +1256,7 @@ static inline int64_t filling__finish_patches(array_double_1d work, int64_t side
 
 /* patch/outline.py */
 static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
+static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
 static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
@@ -1312,18 +1296,18 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count);
 static inline int64_t analyn__penetration_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration);
 static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high);
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool prescribed);
+static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed);
 
 /* normal/analyn_contact.py */
 static const double analyn_contact__ESTIMATE_FACTOR = 1.5;
 static const int64_t analyn_contact__ESTIMATE_REPEATS = INT64_C(4);
 static const int64_t analyn_contact__COVER_REPEATS = INT64_C(6);
 static const double analyn_contact__ENLARGED = 1.4;
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration);
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool by_penetration);
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration);
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration);
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration);
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 
 /* normal/coefficients.py */
 static const double coefficients__TILTED = 1e-12;
@@ -1348,8 +1332,8 @@ static const double estimate__TYPICAL_RATIO = 2.0;
 static const double estimate__CEILING = 1000.0;
 static const double estimate__LEAST_SHARE = 0.1;
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force);
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
 /* normal/node_patches.py */
@@ -1377,23 +1361,23 @@ static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
 static inline double nodes__turn_cosine(array_double_1d work, array_double_1d tables);
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach);
+static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
+static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline double nodes__zone_share(array_double_1d tables, double A, double side);
 static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge);
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
@@ -1410,15 +1394,15 @@ static const double strip_contact__OWN_SHALLOW = 0.25;
 static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(1);
 static const double strip_contact__DEEPER = 1.15;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state);
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force);
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest);
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted);
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration);
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables);
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force);
 
 /* normal/strip_layout.py */
 static const double strip_layout__FIRST_SHARE = 0.6666666666666666;
@@ -1501,7 +1485,7 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, int
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
 static inline int64_t strip_pressures__read_solution(array_double_1d work, int64_t size, double penetration);
 static inline int64_t strip_pressures__exchange_strips(array_double_1d work, double penetration, bool single);
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration, bool yawed);
+static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
 
 /* normal/strip_surfaces.py */
 static const double strip_surfaces__STRIP_TRACE = 1e-09;
@@ -1510,8 +1494,8 @@ static const double strip_surfaces__SHARPEST_ZONE = 1000.0;
 static const double strip_surfaces__INSIDE = 0.25;
 static const double strip_surfaces__LEAST_OVERLAP = 0.05;
 static const double strip_surfaces__FIRST_LEAD = 0.5;
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count);
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip);
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count);
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count);
 static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables);
 static inline double strip_surfaces__profile_within(array_double_1d tables, double y);
@@ -1555,7 +1539,7 @@ static inline int64_t coupled_strips__flexibilities(double* result_0, double* re
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t patch, int64_t strip, double rate, int64_t index);
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/creep_force.py */
 static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
@@ -1575,7 +1559,7 @@ static const double cut__COSINE = 0.9807852804032304;
 static const double cut__SHORTEST = 0.05;
 static const double cut__LONGEST = 40.0;
 static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t cut__lay_strips(array_double_1d work, int64_t patch, double start, double stop);
+static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
 static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
 static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
 static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
@@ -1695,22 +1679,22 @@ static const double brackets__DEEPER = 1.5;
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i);
 static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_t bracket, double place, double value);
 static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t count);
-static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
+static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work);
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, array_double_1d state, int64_t flat, double flat_force, double steep_force);
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/compliant.py */
 static const double compliant__GRAZING = 1e-13;
 static OUT_OF_LINE bool compliant__is_damped(array_double_1d tables);
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t patch, double factor);
 static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
-static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 
 /* wheelset/elastic.py */
 static const int64_t elastic__TRIALS = INT64_C(25);
@@ -1725,9 +1709,9 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm);
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/forces.py */
 static inline int64_t forces__clear_forces(array_double_1d work, int64_t forces);
@@ -1791,15 +1775,15 @@ static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
 static const double rigid__NEAR_SHIFT = 0.0002;
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
 static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
-static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
 static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
@@ -1814,19 +1798,19 @@ static const double side__PARALLEL = 1e-06;
 static const double side__CORNER = 0.001;
 static const double side__AT_END = 1e-08;
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
-static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
-static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
-static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
-static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height);
-static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach);
+static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed);
+static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force);
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height);
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach);
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
 
 /* wheelset/step.py */
 static inline double step__support_height(array_double_1d work);
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
-static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
+static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
 static inline int64_t step__stand(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status);
@@ -1838,12 +1822,12 @@ static inline int64_t step__step_many(int64_t count, array_double_1d left_tables
 /* wheelset/trial.py */
 static const double trial__SHALLOWEST = 0.1;
 static const double trial__DEEPEST = 0.002;
-static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height);
-static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double left, double right, double height);
-static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double left, double right, double height);
+static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
 
 #endif

@@ -194,7 +194,7 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
  * Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool prescribed)
+static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed)
 {
     int64_t i;
     int64_t region;
@@ -222,7 +222,7 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
     move = 0.0;
     for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(work, count);
         analyn__penetration_residuals(&residual, &slope, &rest, work, tables, count, penetration);
         if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
@@ -414,9 +414,9 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 /* Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
  */
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
-    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, side, force, prescribed);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         frame__locate_along_track(work, tables, (*count));
@@ -429,7 +429,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
  * is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
  * stands.
  */
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t repeat;
@@ -442,26 +442,26 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        (*penetration) = estimate__first_penetration(work, tables, state, force);
+        (*penetration) = estimate__first_penetration(work, tables, force);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        if (pressed_regions__sink_wheel(work, tables, side, state, estimate) == INT64_C(0))
+        if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
         {
             /* it overlaps most at the end of a profile */
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, estimate, force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, estimate, force, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -473,16 +473,16 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, bool by_penetration)
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
-    analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
+    (*count) = analyn_contact__gather_regions(work, tables, estimate);
+    analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
-        analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
+        (*count) = analyn_contact__gather_regions(work, tables, estimate);
+        analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
     }
     return 0;
 }
@@ -490,7 +490,7 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
  * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration)
 {
     int64_t i;
     int64_t count;
@@ -499,7 +499,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    count = pressed_regions__gather_overlaps(work, tables, state);
+    count = pressed_regions__gather_overlaps(work, tables);
     estimate__start_penetrations(work, count, penetration);
     return count;
 }
@@ -507,7 +507,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool by_penetration)
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration)
 {
     double start;
     double enlarge;
@@ -518,8 +518,8 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        nodes__prepare_regions(work, tables, state, count, enlarge);
-        analyn__solve_penetrations(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
+        nodes__prepare_regions(work, tables, count, enlarge);
+        analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
@@ -909,7 +909,7 @@ static inline double estimate__guess_penetration(double force, double A, double 
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force)
 {
     double A;
     double guess;
@@ -918,7 +918,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     double stiffness;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    widths__measure_widths(work, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
+    widths__measure_widths(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
     width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
@@ -934,12 +934,12 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force)
 {
     double result;
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    result = estimate__estimate_penetration(work, tables, state, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    result = estimate__estimate_penetration(work, tables, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
@@ -1308,7 +1308,7 @@ static inline double nodes__trace_tolerance(double spacing)
  * Where the lateral curvature is a prepared one, it is kept in nodes.B for
  * :func:`node_coefficients.weigh_nodes`.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach)
+static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
     double gap;
     double rate;
@@ -1318,7 +1318,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     int64_t after;
     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     curves__open_origin(work, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(work, tables);
@@ -1326,9 +1326,9 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     {
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
-    before = nodes__lay_side_nodes(work, tables, state, region, nodes, -INT64_C(1), low_reach, rate);
+    before = nodes__lay_side_nodes(work, tables, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    after = nodes__lay_side_nodes(work, tables, state, region, nodes, INT64_C(1), high_reach, rate);
+    after = nodes__lay_side_nodes(work, tables, region, nodes, INT64_C(1), high_reach, rate);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
@@ -1370,13 +1370,13 @@ static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, 
 /* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
  * [-].
  */
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
 {
     double station;
     double bend;
     double curvature;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
-    separation__separation(gap, rate, &bend, &curvature, work, tables, state, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(gap, rate, &bend, &curvature, work, tables, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
@@ -1396,7 +1396,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
  * slope there.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
+static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
     int64_t stride;
     int64_t window;
@@ -1424,13 +1424,13 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1
     {
         if ((k == traced) && (!ended))
         {
-            nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
+            nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
                 traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
+                nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -1627,7 +1627,7 @@ static inline double nodes__node_spacing(array_double_1d work, array_double_1d t
 }
 
 /* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge)
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge)
 {
     int64_t i;
     int64_t region;
@@ -1635,9 +1635,9 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         frame__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(work, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        widths__measure_widths(work, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = nodes__node_spacing(work, tables, region, enlarge);
-        nodes__prepare_nodes(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
+        nodes__prepare_nodes(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
         frame__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
@@ -1646,7 +1646,7 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
 /* Nodes and coefficients of a region whose frame is open, up to its local
  * penetration times ``enlarge``.
  */
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge)
 {
     bool yawed;
     double reach;
@@ -1662,7 +1662,7 @@ static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
+    nodes__lay_nodes(work, tables, region, nodes, low_reach, high_reach);
     nodes__bring_nearer(work, region, nodes);
     coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -1787,7 +1787,7 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
  *
  * Returns the penetration [m], the number of regions, and whether the force is satisfied.
  */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -1797,15 +1797,15 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, state, force);
+        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, force);
     }
     else
     {
-        strip_contact__strip_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+        strip_contact__strip_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     return 0;
 }
@@ -2083,7 +2083,7 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
  */
 
 /* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest)
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest)
 {
     int64_t index;
     int64_t region;
@@ -2091,14 +2091,14 @@ static inline int64_t strip_contact__find_zones(array_double_1d work, array_doub
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         frame__enter_plane(work, region, index);
-        strip_contact__measure_zone(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
+        strip_contact__measure_zone(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
         frame__leave_plane(work, region);
     }
     return INT64_C(0);
 }
 
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest)
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest)
 {
     double depth;
     double shallow;
@@ -2127,8 +2127,8 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
         }
         estimate = sqrt(2.0 * level / bend);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        high = widths__zone_width(work, tables, region, state, 1.0, level, estimate);
-        low = widths__zone_width(work, tables, region, state, -1.0, level, high);
+        high = widths__zone_width(work, tables, region, 1.0, level, estimate);
+        low = widths__zone_width(work, tables, region, -1.0, level, high);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
     }
@@ -2136,10 +2136,10 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
 }
 
 /* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted)
 {
     strip_layout__divide_cells(work, count, wanted);
-    strip_surfaces__trace_strips(work, tables, state, count);
+    strip_surfaces__trace_strips(work, tables, count);
     strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     strip_surfaces__incline_strips(work, tables);
     return INT64_C(0);
@@ -2148,19 +2148,19 @@ static inline int64_t strip_contact__lay_strips(array_double_1d work, array_doub
 /* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
  * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
  */
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
     int64_t sweep;
     strip_layout__zone_cells(work, count);
-    strip_contact__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    strip_contact__lay_strips(work, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
     strip_surfaces__first_lengths(work, tables, count);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, by_penetration);
+        strip_contact__solve_strips(&penetration, &found, work, tables, force, by_penetration);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2182,7 +2182,7 @@ static inline int64_t strip_contact__first_layout(double* result_0, bool* result
  * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
  * alone.
  */
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
@@ -2190,7 +2190,7 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
     int64_t sweep;
     bool last;
     bool given;
-    strip_contact__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    strip_contact__lay_strips(work, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     strip_surfaces__lengths_before(work, tables);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
@@ -2203,7 +2203,7 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
         {
             given = by_penetration;
         }
-        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, given);
+        strip_contact__solve_strips(&penetration, &found, work, tables, force, given);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2225,11 +2225,11 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
 }
 
 /* Pressures of the strips as they lie; penetration [m], and whether found. */
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration)
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration)
 {
     strip_surfaces__set_gaps(work);
     strip_pressures__begin_influences(work);
-    strip_pressures__solve_pressures(result_0, result_1, work, tables, state, force, by_penetration, frame__is_yawed(work));
+    strip_pressures__solve_pressures(result_0, result_1, work, tables, force, by_penetration, frame__is_yawed(work));
     return 0;
 }
 
@@ -2239,7 +2239,7 @@ static inline int64_t strip_contact__solve_strips(double* result_0, bool* result
  * A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
  * have found there.
  */
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t count;
@@ -2251,15 +2251,15 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         /* where it is, it has its penetration */
-        count = strip_contact__open_zones(work, tables, state);
-        strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, 1);
+        count = strip_contact__open_zones(work, tables);
+        strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, 1);
     }
     else
     {
         estimate = prescribed;
         if (!by_penetration)
         {
-            estimate = estimate__first_penetration(work, tables, state, force);
+            estimate = estimate__first_penetration(work, tables, force);
         }
         penetration = estimate;
         count = INT64_C(0);
@@ -2267,7 +2267,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
             estimate = penetration;
-            if (pressed_regions__sink_wheel(work, tables, side, state, estimate) == INT64_C(0))
+            if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
             {
                 /* it overlaps most at the end of a profile */
                 (*result_0_0001) = estimate;
@@ -2275,8 +2275,8 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 (*result_2) = 0;
                 return 0;
             }
-            count = strip_contact__open_zones(work, tables, state);
-            strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
+            count = strip_contact__open_zones(work, tables);
+            strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
             {
                 break;
@@ -2290,7 +2290,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied)
     {
-        strip_contact__second_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
+        strip_contact__second_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
     }
     if (satisfied)
     {
@@ -2310,10 +2310,10 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first layout alone
  * and without patches: about a per cent off.
  */
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force)
 {
-    (*count) = strip_contact__open_zones(work, tables, state);
-    strip_contact__first_layout(penetration, satisfied, work, tables, state, (*count), force, 0);
+    (*count) = strip_contact__open_zones(work, tables);
+    strip_contact__first_layout(penetration, satisfied, work, tables, (*count), force, 0);
     if ((*satisfied))
     {
         strip_patches__add_stiffness(work, tables, (*count));
@@ -2322,14 +2322,14 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 }
 
 /* Open the regions where the wheel overlaps its rail, and their zones; how many. */
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state)
+static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables)
 {
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    count = pressed_regions__gather_overlaps(work, tables, state);
+    count = pressed_regions__gather_overlaps(work, tables);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_contact__find_zones(work, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_contact__find_zones(work, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -3669,7 +3669,7 @@ static inline double strip_pressures__end_displacement(array_double_1d tables, a
 /* y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
  * ``by_penetration``; the penetration [m], and whether found.
  */
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration, bool yawed)
+static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed)
 {
     double penetration;
     int64_t exchange;
@@ -3678,7 +3678,7 @@ static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* r
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_STRIP_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
         strip_pressures__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         size = strip_pressures__list_loaded(work);
         strip_pressures__write_equations(work, size);
@@ -3849,7 +3849,7 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
  */
 
 /* Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions. */
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count)
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -3875,7 +3875,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
                     curves__open_origin(work, tables, region, 0.0);
                     started = 1;
                 }
-                strip_surfaces__trace_strip(work, tables, state, region, strip);
+                strip_surfaces__trace_strip(work, tables, region, strip);
             }
         }
         frame__leave_plane(work, region);
@@ -3884,7 +3884,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
 }
 
 /* The surfaces at a strip of ``region``, whose frame is open. */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip)
 {
     double gap;
     double rate;
@@ -3892,7 +3892,7 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
     double curvature;
     double height;
     double slope;
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
     if (gap < frame__NO_GAP)

@@ -289,7 +289,7 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
  * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
  * they can be positive.
  */
-static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
+static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
 {
     int64_t index;
     int64_t region;
@@ -479,7 +479,7 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            outline__quadratic_at(&half_length, &pressure, work, count, station);
+            outline__curved_at(&half_length, &pressure, work, count, station);
         }
         if (half_length > largest)
         {

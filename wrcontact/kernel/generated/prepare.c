@@ -173,7 +173,7 @@ static inline double prepare_curvatures__write_lengths(array_double_1d tables, i
 }
 
 /* Arc length [m] at ``y`` [m]. */
-static inline double prepare_curvatures__arc_length(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch)
+static inline double prepare_curvatures__length_at(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch)
 {
     int64_t first;
     int64_t low;
@@ -266,7 +266,7 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
     double z_1;
     double z_2;
     step = double_min(2, step, 0.5 * total);
-    middle = double_min(2, double_max(2, prepare_curvatures__arc_length(tables, profile, y, work, scratch), step), total - step);
+    middle = double_min(2, double_max(2, prepare_curvatures__length_at(tables, profile, y, work, scratch), step), total - step);
     y_0 = prepare_curvatures__place_at_length(tables, profile, middle - step, work, scratch);
     y_1 = prepare_curvatures__place_at_length(tables, profile, middle, work, scratch);
     y_2 = prepare_curvatures__place_at_length(tables, profile, middle + step, work, scratch);
@@ -421,7 +421,7 @@ static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int
         high = total;
         if (cell + INT64_C(1) < cells)
         {
-            high = prepare_curvatures__arc_length(tables, rail, x, work, scratch);
+            high = prepare_curvatures__length_at(tables, rail, x, work, scratch);
         }
         high_rise = step * prepare_curvatures__rail_speed(tables, rail, x);
         prepare_curvatures__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
@@ -1699,7 +1699,7 @@ static inline int64_t prepare_zones__turned_point(double* result_0, double* resu
 }
 
 /* ``x``, or the end that it lies beyond. */
-static inline double prepare_zones__within(double x, double low, double high)
+static inline double prepare_zones__clamped(double x, double low, double high)
 {
     return double_min(2, double_max(2, x, low), high);
 }
@@ -1726,13 +1726,13 @@ static inline int64_t prepare_zones__turned_jet(double* result_0, double* result
     first = (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST));
     last = (*cspan_at(&zones, row + prepare_zones__ZONE_LAST));
     along = y - (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT));
-    t = prepare_zones__within(c * along, first, last);
+    t = prepare_zones__clamped(c * along, first, last);
     i = INT64_C(0);
     while(i < prepare_zones__TURNED_ITERATIONS)
     {
         prepare_zones__polynomial_jet(&z, &slope, &bend, zones, row, t);
         newton = (c * t - s * z - along) / (c - s * slope);
-        t = prepare_zones__within(t - newton, first, last);
+        t = prepare_zones__clamped(t - newton, first, last);
         i += INT64_C(1);
         if (fabs(newton) <= prepare_zones__TURNED_SHARP * (1.0 + fabs(along)))
         {

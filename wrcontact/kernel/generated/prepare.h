@@ -18,7 +18,7 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
 static inline int64_t prepare_curvatures__write_gauss(array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64_t profile, double low, double high, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__write_lengths(array_double_1d tables, int64_t profile, array_double_1d work, int64_t scratch);
-static inline double prepare_curvatures__arc_length(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch);
+static inline double prepare_curvatures__length_at(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__place_at_length(array_double_1d tables, int64_t profile, double length, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch);
@@ -151,7 +151,7 @@ static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, do
 static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__upright_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
 static inline int64_t prepare_zones__turned_point(double* result_0, double* result_1, array_double_1d zones, int64_t row, double t, double cosine, double sine);
-static inline double prepare_zones__within(double x, double low, double high);
+static inline double prepare_zones__clamped(double x, double low, double high);
 static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y);
 static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle);

@@ -349,7 +349,7 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
  * They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
  * is at minus ``place.height``.
  */
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
+static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
 {
     double sin_roll;
     double cos_roll;
@@ -388,7 +388,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
  * slope [1/m]. (Both are written out: a search calls the shorter one most.)
  */
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
+static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;
@@ -688,7 +688,7 @@ static inline int64_t tables__height_slope(double* result_0, double* slope, arra
 }
 
 /* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
+static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
 {
     int64_t piece;
     double u;

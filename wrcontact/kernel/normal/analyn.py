@@ -17,7 +17,7 @@ counts by its share along each normal, and a displacement by the cosine of the a
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..layout import Nodes, NodesOfRegions, Region, Regions, State, Tables
+from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables
 from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 
 #: Share of the squares of two regions' half-lengths that counts as distance between them.
@@ -144,8 +144,8 @@ def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
     return total
 
 
-def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int,
-                 force: float, penetration: float, prescribed: bool):
+def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, count: int, force: float,
+                       penetration: float, prescribed: bool):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
     Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
     value: whether the force is satisfied.
@@ -159,7 +159,7 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
     slope_before = 0.0
     move = 0.0
     for iteration in range(FORCE_ITERATIONS):
-        state.solve_count += 1.0
+        regions[0].solve_count += 1.0
         total = load_regions(regions, nodes, count)
         residual, slope, rest = penetration_residuals(tables, regions, count, penetration)
         if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:

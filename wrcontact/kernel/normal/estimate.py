@@ -4,7 +4,7 @@ result."""
 from typing import Final
 
 from ..contact.frame import open_contact_region
-from ..layout import Contact, Regions, State, Tables
+from ..layout import Contact, Regions, Tables
 from .coefficients import FLOOR, hertz_stiffness
 from ..contact.widths import measure_widths
 
@@ -23,7 +23,7 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
     return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
 
 
-def estimate_penetration(tables: Tables, contact: Contact, state: State, force: float):
+def estimate_penetration(tables: Tables, contact: Contact, force: float):
     """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
     penetration.
 
@@ -32,7 +32,7 @@ def estimate_penetration(tables: Tables, contact: Contact, state: State, force: 
     region = contact.regions[0]
     A = 0.5 * region.curvature
     guess = guess_penetration(force, A, tables.contact_modulus)
-    measure_widths(tables, contact, state, region, guess)
+    measure_widths(tables, contact, region, guess)
     width = 0.5 * (region.width_low + region.width_high)
     B = FLOOR * A
     if guess > CEILING * A * width * width:
@@ -43,12 +43,12 @@ def estimate_penetration(tables: Tables, contact: Contact, state: State, force: 
     return (force / stiffness) ** (2.0 / 3.0)
 
 
-def first_penetration(tables: Tables, contact: Contact, state: State, force: float):
+def first_penetration(tables: Tables, contact: Contact, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
     open_contact_region(tables, contact.frame, contact.regions[0])
     region = contact.regions[0]
     region.width_penetration = 0.0
-    return estimate_penetration(tables, contact, state, force / region.share)
+    return estimate_penetration(tables, contact, force / region.share)
 
 
 def start_penetrations(regions: Regions, count: int, penetration: float):

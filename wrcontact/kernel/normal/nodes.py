@@ -16,7 +16,7 @@ from ..contact.traces import start_traces
 from ..contact.widths import measure_widths
 from ..layout import (LATERAL_ADAPTIVE, LOAD_VERTICAL, NODE_LIMIT, NODE_MIDDLE, RAIL,
                       SEPARATION_EQUIDISTANT_CHORD, SEPARATION_VERTICAL, WHEEL, Contact, Frame, NodeRun,
-                      Nodes, NodesOfRegions, Region, Regions, State, Tables)
+                      Nodes, NodesOfRegions, Region, Regions, Tables)
 from ..surface.curvature import relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
@@ -73,7 +73,7 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, low_reach: float,
+def lay_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, low_reach: float,
               high_reach: float):
     """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
     on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
@@ -84,7 +84,7 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     """
     start_traces(contact.frame, region.station, region.rail, region.wheel)
     open_origin(tables, contact.frame, contact.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, region.station,
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, region.station,
                                             trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
@@ -92,9 +92,9 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     if tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
                                         contact.frame.traces[RAIL].abscissa)
-    before = lay_side_nodes(tables, contact, state, region, nodes, -1, low_reach, rate)
+    before = lay_side_nodes(tables, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
-    after = lay_side_nodes(tables, contact, state, region, nodes, 1, high_reach, rate)
+    after = lay_side_nodes(tables, contact, region, nodes, 1, high_reach, rate)
     region.last = after
 
 
@@ -117,11 +117,11 @@ def bring_nearer(region: Region, nodes: Nodes):
             nodes.gap[k] -= level * (1.0 / nodes.turn[k] - 1.0)
 
 
-def trace_node(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, at: int):
+def trace_node(tables: Tables, contact: Contact, region: Region, nodes: Nodes, at: int):
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, station,
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, station,
                                             trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
@@ -133,8 +133,8 @@ def trace_node(tables: Tables, contact: Contact, state: State, region: Region, n
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
-                   direction: int, reach: float, rate: float):
+def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, direction: int,
+                   reach: float, rate: float):
     """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
     risen above ``reach`` [m] or the bound is passed.
 
@@ -152,13 +152,12 @@ def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Regio
     ended = False
     while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
         if k == traced and not ended:
-            gap, next_rate = trace_node(tables, contact, state, region, nodes, direction * (traced + step))
+            gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
                 start_traces(contact.frame, region.station, region.rail, region.wheel)
-                gap, next_rate = trace_node(tables, contact, state, region, nodes,
-                                            direction * (traced + step))
+                gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
@@ -273,19 +272,18 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     return spacing
 
 
-def prepare_regions(tables: Tables, contact: Contact, state: State, count: int, enlarge: float):
+def prepare_regions(tables: Tables, contact: Contact, count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``."""
     for i in range(count):
         region = contact.regions[i]
         enter_plane(contact.frame, contact.frames, contact.regions[i], i)
-        measure_widths(tables, contact, state, region, MEASURED * region.local_penetration)
+        measure_widths(tables, contact, region, MEASURED * region.local_penetration)
         region.spacing = node_spacing(tables, region, enlarge)
-        prepare_nodes(tables, contact, state, region, contact.nodes[i], enlarge)
+        prepare_nodes(tables, contact, region, contact.nodes[i], enlarge)
         leave_plane(contact.frame, contact.frames, contact.regions[i])
 
 
-def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
-                  enlarge: float):
+def prepare_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local
     penetration times ``enlarge``."""
     yawed = is_yawed(contact.frame)
@@ -295,7 +293,7 @@ def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region
     high_reach = reach * zone_share(tables, A, region.side_high)
     if contact.frame.pressed and yawed:
         contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
-    lay_nodes(tables, contact, state, region, nodes, low_reach, high_reach)
+    lay_nodes(tables, contact, region, nodes, low_reach, high_reach)
     bring_nearer(region, nodes)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
     if contact.frame.pressed or tables.load == LOAD_VERTICAL:

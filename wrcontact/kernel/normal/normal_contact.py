@@ -8,7 +8,7 @@ Hertz's stands here: one elliptic patch in closed form, with the curvatures at t
 from math import isfinite, pi, sqrt
 
 from ..contact.frame import locate_along_track
-from ..layout import MODEL_ANALYN, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, State, Tables
+from ..layout import MODEL_ANALYN, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, Tables
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from .analyn_contact import analyn_contact
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
@@ -55,8 +55,7 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     return penetration, 1, True
 
 
-def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
-                 prescribed: float):
+def solve_normal(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
     [m] if that is a number.
 
@@ -66,9 +65,9 @@ def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearc
     if model == MODEL_HERTZ:
         penetration, count, satisfied = hertz_contact(tables, contact, side, force, prescribed)
     elif model == MODEL_ANALYN:
-        penetration, count, satisfied = analyn_contact(tables, contact, state, side, force, prescribed)
+        penetration, count, satisfied = analyn_contact(tables, contact, side, force, prescribed)
     elif contact.coarse:
-        penetration, count, satisfied = coarse_contact(tables, contact, state, force)
+        penetration, count, satisfied = coarse_contact(tables, contact, force)
     else:
-        penetration, count, satisfied = strip_contact(tables, contact, state, side, force, prescribed)
+        penetration, count, satisfied = strip_contact(tables, contact, side, force, prescribed)
     return penetration, count, satisfied

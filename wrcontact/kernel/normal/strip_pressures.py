@@ -11,7 +11,7 @@ from math import fabs, pi, sqrt
 from typing import Final
 
 from ..layout import (INFLUENCE_CELLS, INFLUENCE_COLUMN, INFLUENCE_COLUMNS, INFLUENCE_MAP, Equations,
-                      InfluenceTable, State, Strip, StripProblem, Tables)
+                      InfluenceTable, Strip, StripProblem, Tables)
 
 #: All wrong strips are exchanged at once in so many rounds, then one strip in each round, which cannot go in
 #: circles.
@@ -201,13 +201,13 @@ def end_displacement(table: InfluenceTable, problem: StripProblem, i: int, away:
     return total
 
 
-def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, state: State, force: float,
+def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, force: float,
                     by_penetration: bool, yawed: bool):
     """y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
     ``by_penetration``; the penetration [m], and whether found."""
     penetration = problem.penetration
     for exchange in range(EXCHANGE_LIMIT):
-        state.strip_count += 1.0
+        problem.strip_count += 1.0
         know_influences(tables.influence, problem, yawed)
         size = list_loaded(problem)
         write_equations(problem, equations, size)

@@ -8,8 +8,8 @@ from ..contact.curves import open_origin
 from ..contact.separation import separation
 from ..contact.pressed import limited
 from ..contact.traces import start_traces
-from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, State,
-                      Strip, StripProblem, Strips, Tables)
+from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, Strip,
+                      StripProblem, Strips, Tables)
 from ..surface.locus import outline_x
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope, height_slope_bend
@@ -31,7 +31,7 @@ LEAST_OVERLAP: Final[float] = 0.05
 FIRST_LEAD: Final[float] = 0.5
 
 
-def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
+def trace_strips(tables: Tables, contact: Contact, count: int):
     """Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions."""
     problem = contact.strip_problem
     strips = problem.strips
@@ -47,15 +47,15 @@ def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
                     start_traces(contact.frame, region.station, region.rail, region.wheel)
                     open_origin(tables, contact.frame, contact.origin, region, 0.0)
                     started = True
-                trace_strip(tables, contact, state, region, strip)
+                trace_strip(tables, contact, region, strip)
         leave_plane(contact.frame, contact.frames, region)
 
 
-def trace_strip(tables: Tables, contact: Contact, state: State, region: Region, strip: Strip):
+def trace_strip(tables: Tables, contact: Contact, region: Region, strip: Strip):
     """The surfaces at a strip of ``region``, whose frame is open."""
     frame = contact.frame
-    gap, rate, bend, curvature = separation(tables, frame, contact.origin, state,
-                                            strip.station - region.offset, STRIP_TRACE)
+    gap, rate, bend, curvature = separation(tables, frame, contact.origin, strip.station - region.offset,
+                                            STRIP_TRACE)
     strip.rise = 0.0
     strip.overlap = -NO_GAP
     if gap < NO_GAP:

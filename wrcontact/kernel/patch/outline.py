@@ -14,7 +14,7 @@ from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STA
 from .quadrature import quadratic_value
 
 
-def quadratic_at(strips: SolvedStrips, regions: Regions, count: int, station: float):
+def curved_at(strips: SolvedStrips, regions: Regions, count: int, station: float):
     """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
     regions; zeros where nothing is loaded.
 
@@ -132,7 +132,7 @@ def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips
         half_length = 0.0
         pressure = 0.0
         if j > 0 and j < stations - 1:
-            half_length, pressure = quadratic_at(strips, regions, count, station)
+            half_length, pressure = curved_at(strips, regions, count, station)
         if half_length > largest:
             half_length = largest
         if pressure > peak:

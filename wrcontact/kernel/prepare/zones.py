@@ -97,7 +97,7 @@ def turned_point(zones: 'float[:]', row: int, t: float, cosine: float, sine: flo
     return cosine * t - sine * z, sine * t + cosine * z
 
 
-def within(x: float, low: float, high: float):
+def clamped(x: float, low: float, high: float):
     """``x``, or the end that it lies beyond."""
     return min(max(x, low), high)
 
@@ -110,12 +110,12 @@ def turned_jet(zones: 'float[:]', row: int, y: float):
     first = zones[row + ZONE_FIRST]
     last = zones[row + ZONE_LAST]
     along = y - zones[row + ZONE_Y_SHIFT]
-    t = within(c * along, first, last)
+    t = clamped(c * along, first, last)
     i = 0
     while i < TURNED_ITERATIONS:
         z, slope, bend = polynomial_jet(zones, row, t)
         newton = (c * t - s * z - along) / (c - s * slope)
-        t = within(t - newton, first, last)
+        t = clamped(t - newton, first, last)
         i += 1
         if fabs(newton) <= TURNED_SHARP * (1.0 + fabs(along)):
             i = TURNED_ITERATIONS

@@ -201,21 +201,6 @@ def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: f
     return exponent
 
 
-def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
-                    slope: float, exponent: int):
-    """As ``clear_exponent``, also for cells over which the gap only rises."""
-    u = rail_place(scan, abscissa)
-    while exponent >= 0:
-        length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
-        if stretch < WIDEST:
-            if largest_fall(slope, bend, length, stretch) <= excess:
-                return exponent
-            if slope >= 0.0 and slope + bend * length >= 0.0:
-                return exponent
-        exponent -= 1
-    return exponent
-
-
 def rising_from_minimum(scan: Scan, at: Place, y: float, direction: int, abscissa: float):
     """``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on:
     where the gap only rises.

@@ -101,6 +101,7 @@ def around_wheel(place: Place, slope: float):
     return -(t * root + w) * cos_t, (root - t * w) * cos_t
 
 
+@inlined
 def outline_point(place: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
     point (y, z).
@@ -129,6 +130,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
     return y_track, z_track, outline_slope
 
 
+@inlined
 def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
     slope [1/m]. (Both are written out: a search calls the shorter one most.)"""

@@ -5,7 +5,7 @@ An abscissa that is not a number, infinite or far outside is read from a piece a
 table is read.
 """
 
-from ..layout import PIECE_SIZE, CubicTable, Piece, Profile
+from ..layout import PIECE_SIZE, CubicTable, Piece, Profile, inlined
 
 
 def table_cell(u: float, last: float):
@@ -66,6 +66,7 @@ def height_slope(profile: Profile, y: float):
     return piece.c0 + u * p1, slope
 
 
+@inlined
 def height_slope_bend(profile: Profile, y: float):
     """Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]."""
     piece = find_piece(profile, y)
