@@ -27,7 +27,7 @@ with (X, Z) the wheel's point at abscissa y in its present pose.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Frame, Place, Tables, seldom
+from ..layout import RAIL, WHEEL, Frame, Place, Tables, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
@@ -73,7 +73,7 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
     return y, overlap, rise, rate, curvature, found
 
 
-@seldom
+@inlined
 def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
     moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its

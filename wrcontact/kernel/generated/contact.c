@@ -1616,7 +1616,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overla
  * derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
  * 1/m]; and whether there is such a point.
  */
-static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
+static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
 {
     int64_t wheel;
     double z_rail;

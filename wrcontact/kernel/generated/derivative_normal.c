@@ -798,20 +798,13 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
 }
 
 /* Derivative of ``hertz_stiffness``. */
-static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
 {
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     v1 = 4.0 / 3.0;
     v2 = v1 * contact_modulus;
     v3 = one_beta * B;
@@ -1198,6 +1191,12 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     double B;
     double v3;
     double v4;
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
     double v5;
     double v5_t;
     double stiffness_t;
@@ -1227,7 +1226,8 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
         B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
         B = v4;
     }
-    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
     v6 = force / stiffness;
@@ -2209,6 +2209,12 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     double A;
     double B_t;
     double B;
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
     double v1;
     double v1_t;
     double stiffness_t;
@@ -2223,12 +2229,6 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     double load;
     double v8;
     double v9;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
     double v10;
     double v11;
     double v12;
@@ -2258,7 +2258,8 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
         B_t = coefficients__FLOOR * A_t;
         B = coefficients__FLOOR * A;
     }
-    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, tables, table, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v1_t;
     stiffness = v1;
     (*penetration_t) = prescribed_t;
@@ -2288,7 +2289,6 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     v10 = one_alpha * A;
     v11 = (*penetration) / v10;
     v12 = sqrt(v11);

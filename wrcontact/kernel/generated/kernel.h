@@ -960,7 +960,7 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
 /* surface/gap.py */
 static const double gap__FOLDED = 1000000.0;
 static inline bool gap__above_rail(array_double_1d tables, double abscissa);
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y);
 
@@ -1191,7 +1191,7 @@ static const double pressed__DEEP_SHARP = 1e-13;
 static const int64_t pressed__DEEP_ITERATIONS = INT64_C(60);
 static const double pressed__LEVEL_RISE = 0.0001;
 static const double pressed__ZERO_RISE = 1e-09;
-static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
+static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
 static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station);
@@ -1319,7 +1319,7 @@ static inline double coefficients__table_value(array_double_1d tables, int64_t t
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
+static inline double coefficients__hertz_stiffness(double one_beta, double nr, double B, double contact_modulus);
 static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
 static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share);

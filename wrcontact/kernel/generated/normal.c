@@ -689,17 +689,13 @@ static inline double coefficients__middle_slant(array_double_1d tables, int64_t 
     return cross * (across - along) / ((large - small) * length);
 }
 
-/* N / penetration^(3/2) [N/m^1.5].
+/* N / penetration^(3/2) [N/m^1.5], from 1 + beta and n r.
  *
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
  * closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
  */
-static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus)
+static inline double coefficients__hertz_stiffness(double one_beta, double nr, double B, double contact_modulus)
 {
-    double one_alpha;
-    double one_beta;
-    double nr;
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B));
 }
 
@@ -915,6 +911,9 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     double guess;
     double width;
     double B;
+    double one_alpha;
+    double one_beta;
+    double nr;
     double stiffness;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
@@ -929,7 +928,8 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     {
         B = guess / (width * width);
     }
-    stiffness = coefficients__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     return pow((force / stiffness), (2.0 / 3.0));
 }
 
@@ -1734,11 +1734,11 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     int64_t table;
     double A;
     double B;
-    double stiffness;
-    double load;
     double one_alpha;
     double one_beta;
     double nr;
+    double stiffness;
+    double load;
     double half_length;
     double half_width;
     int64_t patch;
@@ -1752,7 +1752,8 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     {
         B = coefficients__FLOOR * A;
     }
-    stiffness = coefficients__hertz_stiffness(tables, table, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
@@ -1764,7 +1765,6 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     half_length = sqrt((*penetration) / (one_alpha * A));
     half_width = sqrt((*penetration) / (one_beta * B));
     filling__clear_patches(work, side);

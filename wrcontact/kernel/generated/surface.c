@@ -106,7 +106,7 @@ static inline bool gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
  * contact: its slope difference reads FOLDED.
  */
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
     double z;
     double slope;

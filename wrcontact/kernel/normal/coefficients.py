@@ -111,13 +111,12 @@ def middle_slant(table: HertzTable, A: float, B: float, slant: float):
     return cross * (across - along) / ((large - small) * length)
 
 
-def hertz_stiffness(table: HertzTable, A: float, B: float, contact_modulus: float):
-    """N / penetration^(3/2) [N/m^1.5].
+def hertz_stiffness(one_beta: float, nr: float, B: float, contact_modulus: float):
+    """N / penetration^(3/2) [N/m^1.5], from 1 + beta and n r.
 
     N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
     closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
     """
-    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B))
 
 

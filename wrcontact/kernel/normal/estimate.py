@@ -5,7 +5,7 @@ from typing import Final
 
 from ..contact.frame import open_contact_region
 from ..layout import Contact, Regions, Tables
-from .coefficients import FLOOR, hertz_stiffness
+from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from ..contact.widths import measure_widths
 
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
@@ -39,7 +39,8 @@ def estimate_penetration(tables: Tables, contact: Contact, force: float):
         B = CEILING * A
     elif guess > B * width * width:
         B = guess / (width * width)
-    stiffness = hertz_stiffness(tables.hertz, A, B, tables.contact_modulus)
+    one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, B)
+    stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
     return (force / stiffness) ** (2.0 / 3.0)
 
 

@@ -29,7 +29,8 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     B = 0.5 * point.curvature_y
     if not B > FLOOR * A:
         B = FLOOR * A
-    stiffness = hertz_stiffness(table, A, B, tables.contact_modulus)
+    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
+    stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
         penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
@@ -39,7 +40,6 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     region.moment = 0.0
     region.slant = 0.0
     region.local_penetration = penetration
-    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
     clear_patches(side)
