@@ -3,8 +3,8 @@
     <!-- python -m benchmarks --write: NAME -->
     <!-- end: NAME -->
 
-and is written anew from benchmarks/measured; what is between them by hand is lost.  Below a table stands of
-which commit its numbers are and how they were measured.
+and is written anew from benchmarks/measured; what is between them by hand is lost.  Below a table of
+docs/benchmarks.md stands of which commit its numbers are and how they were measured.
 """
 
 import re
@@ -25,14 +25,15 @@ class Table(NamedTuple):
     parts: tuple
     text: Callable
     note: str = ""
-    sources: bool = True    # whether commits, machine and noise are given below it
 
 
 def written(table, parts):
     """A table, its note, and what was measured where."""
     chosen = {name: parts[name] for name in table.parts}
-    return "\n".join([table.text(chosen), "",
-                      *filter(None, [table.note, provenance(chosen) if table.sources else ""])])
+    sources = {BENCHMARKS: provenance(chosen), README: ""}
+    below = sources.get(table.page, MACHINE if any("machine" in part for part in chosen.values()) else "")
+    words = "\n".join(filter(None, [table.note, below]))
+    return "\n\n".join(filter(None, [table.text(chosen), words]))
 
 
 def provenance(parts):
@@ -77,12 +78,13 @@ CHECK, FMU, STUDY = "docs/check.md", "docs/fmu.md", "docs/source_study.md"
 CONFORMAL = "docs/conformal.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {tables.TRIPLE}."
+MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
 
 TABLES = {
     "short": Table(README, (*MODEL_PARTS, *creep_times.PARTS), short_table,
                    "Errors of penetration / area / peak pressure at 20 positions from tread to flange at "
                    "78.5 kN; of creep forces |ΔF|/(μN) on\nrandom patches of wheelsets. A unit is the time "
-                   "of `np.sqrt` of 2000 doubles on the same machine.", sources=False),
+                   "of `np.sqrt` of 2000 doubles on the same machine."),
     "models": Table(BENCHMARKS, MODEL_PARTS, tables.models, ERRORS),
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), tables.skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), tables.count_table),

@@ -24,10 +24,10 @@ def rows():
                 for row in csv.DictReader(file)]
 
 
-def wheel(row, model, normal="analyn"):
+def wheel(row, model, mode="elastic"):
     """The wheel of one row."""
     one = system(youngs_modulus=2 * SHEAR * (1 + POISSON), poisson_ratio=POISSON, load="vertical",
-                 contact_mode="elastic", normal_model=normal, tangential_model=model)
+                 contact_mode=mode, tangential_model=model)
     state = one.evaluate(1e-3 * row["lateral_shift_mm"], row["yaw_rad"], 10e3, speed=2.0,
                          wheel_rate=-row["pitch_rate_rad_s"], left_friction=FRICTION, right_friction=FRICTION)
     assert state.status == 0

@@ -264,7 +264,7 @@ class ContactSystem:
         """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows."""
         if processes == 1 or len(rows) < 2 or not isinstance(self.methods["normal_model"], Halfspace):
             return stepper.parts(rows, places)
-        from .halfspace.processes import shared_parts  # scipy is not needed before
+        from .halfspace.stepping import shared_parts
 
         return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
 

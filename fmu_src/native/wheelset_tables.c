@@ -11,7 +11,7 @@
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "kernel/generated/kernel.h"
+#include "kernel/generated/prepare.h"
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 

@@ -5,6 +5,7 @@ import pytest
 
 import wrcontact
 from data.creep_cases import Model, all_shapes, full_slip, vector
+from tests.helpers.cases import CREEP_MODELS
 from wrcontact.creep.results import own_outline
 
 PATCH = wrcontact.elliptic_patch(half_length=6e-3, half_width=4e-3, normal_force=80e3)
@@ -24,7 +25,7 @@ def test_a_driven_wheel_is_pushed_forwards():
     assert wrcontact.creep_forces(PATCH, creepage_y=1e-3).y < -0.2 * BOUND
 
 
-@pytest.mark.parametrize("model", ["strips", "fastsim", "fastrip", "polach", "halfspace"])
+@pytest.mark.parametrize("model", wrcontact.methods.TangentialModel.family.names()[1:])
 def test_models_agree_within_their_errors(model):
     """Against the strips: of moderate creepages nobody is more than 15 % of mu N away."""
     motion = {"creepage_x": -1e-3, "creepage_y": 5e-4, "spin": 0.2}
@@ -39,7 +40,7 @@ def test_it_is_the_kernels_model():
     """The same bits as the kernel on the same patch."""
     for patch in all_shapes()[::2]:
         motion = np.array([0.4, -0.8, 0.9]) * full_slip(patch, 0.25)[0]
-        for name in ("strips", "fastsim", "fastrip", "polach"):
+        for name in CREEP_MODELS:
             found = wrcontact.creep_forces(patch, *motion, 0.25, name)
             np.testing.assert_array_equal(numbers(found), vector(Model(name).solve(patch, *motion, 0.25)))
 

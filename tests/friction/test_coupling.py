@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import CREEP_MODELS
 from tests.helpers.inside import work_of
 from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
 from wrcontact.kernel.creep.creep_force import solve_creep_force
 
-MODELS = ("polach", "fastsim", "fastrip", "strips")
 POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.05}
 POSES = {
     "tread": {"lateral_shift": 1e-3, "yaw": 1e-3, "speed": 20.0},
@@ -94,7 +94,7 @@ def cross_sum(state, work):
 @pytest.mark.parametrize("pose", POSES)
 def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
     inputs = compliant(POSES[pose]) if mode == "compliant" else POSES[pose]
-    for model in MODELS:
+    for model in CREEP_MODELS:
         state, work = stepped(system(contact_mode=mode, tangential_model=model), inputs)
         sides, axle = cross_sum(state, work)
         total, torque = np.zeros(6), 0.0
@@ -112,7 +112,7 @@ def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
         assert state.driving_torque == pytest.approx(torque, abs=1e-6)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 @pytest.mark.parametrize("pose", POSES)
 def test_numbers_of_a_patch(pose, model):
     """Force at most mu N, saturation, power against the velocities, and the wear number."""
@@ -137,7 +137,7 @@ def test_power_is_that_of_the_wheelset(pose):
     """What friction takes is the work of the creep forces on the wheel's body: force times velocity of the
     centre, moment times rotation, and torque times wheel rate."""
     inputs = compliant(POSES[pose]) | {"vertical_velocity": 0.013, "roll_rate": -0.02}
-    state, work = stepped(system(contact_mode="compliant", tangential_model=MODELS[-1]), inputs)
+    state, work = stepped(system(contact_mode="compliant", tangential_model=CREEP_MODELS[0]), inputs)
     sides, _ = cross_sum(state, work)
     creep = sides["left"][0] + sides["right"][0]
     curvature = inputs.get("track_curvature", 0.0)
@@ -154,7 +154,7 @@ def test_power_is_that_of_the_wheelset(pose):
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 def test_mirror(model, mode):
     """A wheelset in the mirror has the mirrored outputs."""
     contact = system(contact_mode=mode, tangential_model=model)
@@ -169,7 +169,7 @@ def test_mirror(model, mode):
     assert one.driving_torque == pytest.approx(other.driving_torque, rel=1e-9)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 def test_standstill_and_no_friction(model):
     """A wheelset that stands, or has no friction, has the forces of the pressures alone."""
     contact = system(tangential_model=model)
@@ -186,7 +186,7 @@ def test_standstill_and_no_friction(model):
         assert state.driving_torque == 0.0
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 def test_sliding_wheels_have_the_whole_friction(model):
     """Locked wheels at a high speed: mu N against the motion."""
     state = system(tangential_model=model).evaluate(speed=20.0, free_rolling=False)
@@ -196,7 +196,7 @@ def test_sliding_wheels_have_the_whole_friction(model):
 
 
 def test_lifted_wheel_and_one_side():
-    contact = system(tangential_model=MODELS[-1])
+    contact = system(tangential_model=CREEP_MODELS[0])
     state = contact.evaluate(**POSE, load_transfer=1.0)
     assert state.status == 1
     assert np.all(np.isfinite(state.values))
@@ -209,7 +209,7 @@ def test_lifted_wheel_and_one_side():
 
 @pytest.mark.parametrize("friction", [-1e-9, 2.0001, np.nan, np.inf])
 def test_friction_out_of_range(friction):
-    state = system(tangential_model=MODELS[-1]).evaluate(**POSE, right_friction=friction)
+    state = system(tangential_model=CREEP_MODELS[0]).evaluate(**POSE, right_friction=friction)
     assert state.status == wrcontact.Status.INVALID_INPUT
     sentence = wrcontact.status.explain(state.status, state.inputs)
     assert "right.friction" in sentence and "permitted" in sentence
@@ -221,7 +221,7 @@ def test_friction_out_of_range(friction):
 @pytest.mark.parametrize("pose", ["moving", "flange root", "flange", "backwards"])
 def test_vertical_load_includes_friction(pose, mode):
     """Each wheel's whole force has the vertical component that is prescribed, to LOAD_MET."""
-    contact = system(contact_mode=mode, load="vertical", tangential_model=MODELS[-1])
+    contact = system(contact_mode=mode, load="vertical", tangential_model=CREEP_MODELS[0])
     state = contact.evaluate(**POSES[pose], normal_force=80e3, load_transfer=0.2)
     assert -state.left.force.z == pytest.approx(64e3, rel=1e-8)
     assert -state.right.force.z == pytest.approx(96e3, rel=1e-8)
@@ -231,7 +231,7 @@ def test_vertical_load_includes_friction(pose, mode):
 def test_falling_friction():
     """Polach's form, with the sliding velocity V sqrt(xi^2 + eta^2), where all slides."""
     fall = {"friction_fall": 0.4, "friction_fall_rate": 0.6}
-    state = system(tangential_model=MODELS[-1], **fall).evaluate(speed=10.0, free_rolling=False)
+    state = system(tangential_model=CREEP_MODELS[0], **fall).evaluate(speed=10.0, free_rolling=False)
     patch = state.right.patches[0]
     sliding = 0.5 * 10.0 * np.hypot(patch.creepage.x, patch.creepage.y)
     expected = 0.3 * (0.6 * np.exp(-0.6 * sliding) + 0.4)
@@ -253,7 +253,7 @@ def test_flange_lubrication():
     assert found.tangential.x == pytest.approx(0.3 * full.tangential.x, rel=1e-3)
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 def test_slope_reduction(model):
     """k0 alone is a half of all creepages; with beta the slope falls further, and full slip stays."""
     full, reduced = (system(tangential_model=model, **reduction).stepper()

@@ -1,7 +1,5 @@
-"""Creep forces of a wheelset against CONTACT's reference output of the Manchester contact benchmark, A-2.2.
-
-Creepages are compared in tests/motion/test_creepages.py.
-"""
+"""Creepages and creep forces of a wheelset against CONTACT's reference output of the Manchester contact
+benchmark, A-2.2."""
 
 import numpy as np
 import pytest
@@ -13,7 +11,22 @@ from data.manchester import error, rows, wheel
 APART = {("left", 0.0): 0.07, ("right", 0.0): 0.07, ("right", 5.0): 0.04}
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
+EVERY_ROW = pytest.mark.parametrize("row", rows(),
+                                    ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
+
+
+@EVERY_ROW
+def test_creepages(row):
+    """Those of the rail against the wheel along x. CONTACT's contact point is the middle of the load of
+    another normal model, so that on the flange the rolling radius differs by 0.05 mm."""
+    creepage = wheel(row, "none", "rigid").patches[0].creepage
+    loose = 5 if (row["side"], row["lateral_shift_mm"]) in APART else 1
+    assert creepage.x == pytest.approx(-row["xi"], abs=loose * 7e-5, rel=0.007)
+    assert creepage.y == pytest.approx(row["eta"], abs=1e-5, rel=0.0025 * loose)
+    assert creepage.spin == pytest.approx(1e3 * row["phi_per_mm"], abs=loose * 1e-3, rel=0.008 * loose)
+
+
+@EVERY_ROW
 def test_forces_of_strips(row):
     """Each of the 22 contacts; measured 0.5 % of mu N at worst but for three."""
     found = wheel(row, "strips")
@@ -31,7 +44,7 @@ def test_mean_error_of_each_model():
     assert mean["strips"] < 0.1 * min(value for model, value in mean.items() if model != "strips")
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
+@EVERY_ROW
 def test_power_and_moment(row):
     """CONTACT's power is that of its tractions in its cells, which is less than that of its force by 0.5 W;
     its moments are about its own place of contact, 0.3 mm from the centre of load at most."""

@@ -6,12 +6,11 @@ import pytest
 
 import wrcontact
 from tests.helpers.bumps import LOAD, bumpy_system
+from tests.helpers.cases import STRIP_MODELS
 from tests.helpers.inside import work_of
 from tests.helpers.moving_fuzz import MODES, SIDES, draw_friction, draw_poses, draw_wheelset
 from wrcontact.interface.inputs import INPUTS
 
-#: Models that know the moment of spin; without it Polach's formula leaves out a part of the power.
-MODELS = ("strips", "fastsim", "fastrip")
 NORMAL = ("analyn", "analyn_strip")
 #: What rounding may leave, of friction times load times speed.
 ROUNDING = 1e-9
@@ -28,7 +27,7 @@ def test_friction_never_drives(seed):
     """Wheels and patches of random wheelsets, all motions."""
     rng = np.random.default_rng([23, seed])
     wheelset, friction = draw_friction(rng, draw_wheelset(rng, MODES[seed % len(MODES)]), 150)
-    wheelset |= {"normal_model": NORMAL[seed % 2], "tangential_model": MODELS[seed % 3]}
+    wheelset |= {"normal_model": NORMAL[seed % 2], "tangential_model": STRIP_MODELS[seed % 3]}
     given = draw_poses(rng, wheelset, 150) | friction
     table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
     good = table.status <= wrcontact.Status.UNLOADED
@@ -41,7 +40,7 @@ def test_friction_never_drives(seed):
 
 
 @pytest.mark.parametrize("normal", NORMAL)
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", STRIP_MODELS)
 def test_power_is_that_of_force_and_moment(normal, model):
     """P = -(F . v + M . W) with the creep forces in the outputs, the velocity v of the centre and the
     rotation W of the wheelset with that about the axle.  A yaw rate turns a rolled wheelset about its axle as

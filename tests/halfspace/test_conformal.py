@@ -16,12 +16,11 @@ from tests.helpers.inside import tables_of
 from tests.helpers.paths import DATA
 from wrcontact import Status
 from wrcontact.halfspace.boxes import centres
-from wrcontact.halfspace.middle_curve import middle_curve
 from wrcontact.halfspace.one_grid import solve_grid
 from wrcontact.halfspace.outputs import resultant
 from wrcontact.halfspace.pressed_wheel import Settings, press
 from wrcontact.halfspace.problem import Problem
-from wrcontact.halfspace.turning_gap import turning_gap
+from wrcontact.halfspace.turning_gap import middle_curve, turning_gap
 from wrcontact.halfspace.wheel_on_rail import wheel_on_rail
 from wrcontact.kernel import layout
 

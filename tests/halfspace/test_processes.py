@@ -44,7 +44,7 @@ def test_other_models_need_no_processes(monkeypatch):
     def none(*arguments):
         raise AssertionError
 
-    monkeypatch.setattr("wrcontact.halfspace.processes.shared_parts", none)
+    monkeypatch.setattr("wrcontact.halfspace.stepping.shared_parts", none)
     table = wrcontact.ContactSystem().evaluate_many(SHIFTS, processes=2)
     assert table.status[0] == wrcontact.Status.VALID
 

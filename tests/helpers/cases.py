@@ -12,6 +12,7 @@ import wrcontact
 from tests.helpers.paths import DATA, TRAJECTORIES
 from wrcontact import ContactSystem
 from wrcontact.interface.variables import INPUT, OUTPUT, REAL, VARIABLES
+from wrcontact.methods import CHOICES, TangentialModel
 
 INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT]
 #: All but switches.
@@ -90,7 +91,10 @@ def planar_cases():
 
 
 FORCE = 78.5e3   # per wheel [N]
-MODELS = ("analyn", "analyn_strip", "hertz")
+MODELS = CHOICES["normal_model"]
+#: Models of creep forces, and those of them that follow tractions strip by strip.
+CREEP_MODELS = CHOICES["tangential_model"][1:]
+STRIP_MODELS = tuple(name for name in CREEP_MODELS if not TangentialModel.family.method(name).one_ellipse)
 LOADS = ("normal", "vertical")
 PAIRS = [(rail, inclination) for rail in ("UIC60", "60E1", "54E1") for inclination in (1 / 40, 1 / 20)]
 

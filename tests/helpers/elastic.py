@@ -1,14 +1,9 @@
 """Elastic and compliant systems, what their wheels carry, and the rail beneath."""
 
-from functools import cache
-
 import numpy as np
 
 from tests.helpers.cases import system
-from tests.helpers.numpy_profiles import compile_profile
-from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.profiles.placement import place_rail
 
 
 def elastic(**parameters):
@@ -26,11 +21,9 @@ def carried(side, load="normal"):
     return sum(patch.normal_force * np.cos(patch.contact_angle) for patch in side.patches)
 
 
-@cache
 def placed_rail():
     """UIC60 1:40 at gauge: the kernel's table of it, and its track coordinate [m]."""
-    placed = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
-    return compile_profile(placed.profile), placed.y_track
+    return system().profile_tables()[1:]
 
 
 def rail_point_along(start, stations):

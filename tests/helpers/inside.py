@@ -1,5 +1,7 @@
 """The one door through which tests look into a system and its stepper."""
 
+import numpy as np
+
 from wrcontact.kernel import layout
 
 
@@ -36,3 +38,11 @@ def rates_along(stepper, seed):
 def tables_of(system):
     """Settings and tables of the right side of a system."""
     return system._tables
+
+
+def lateral_curvatures(system, body):
+    """Places (n,) [m] and lateral curvatures (n,) [1/m] that are prepared for the "wheel" or the "rail",
+    positive where a profile bulges towards the other one."""
+    table = getattr(layout.Tables.at(tables_of(system)), f"{body}_curvature")
+    count = int(table.count)
+    return table.start + np.arange(count) / table.per_metre, np.array(table.curvatures[:count])

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import CREEP_MODELS, MODELS
 from tests.helpers.fuzzing import INCLINATIONS, log_uniform
 from tests.helpers.fuzzing import RAILS as RAIL_PROFILES
 from wrcontact.interface.motion import MOTION
@@ -12,7 +13,6 @@ from wrcontact.interface.rails import RAILS
 
 SIDES = ("left", "right")
 MODES = ("rigid", "elastic", "compliant")
-MODELS = ("hertz", "analyn", "analyn_strip")
 #: Inputs of the pose that change their sign in the mirror.
 TURNED = ("lateral_shift", "yaw", "load_transfer", "roll_input")
 #: [N] lighter wheels sink in by less than a contact's place, known to 1e-12 m, tells of their patches
@@ -105,9 +105,6 @@ def assert_none(bad, wheelset, given, what, measure=None):
         row = int(np.flatnonzero(bad)[0])
         found = "" if measure is None else f" {measure[row]:.3g}"
         pytest.fail(f"{what}{found}, {np.count_nonzero(bad)} of {len(bad)}: {line(wheelset, given, row)}")
-
-
-CREEP_MODELS = ("polach", "fastsim", "fastrip", "strips")
 
 
 def draw_friction(rng, wheelset, count):

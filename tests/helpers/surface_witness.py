@@ -10,6 +10,7 @@ and no code is the product's.
 from math import atan
 
 import numpy as np
+import pytest
 
 from data import brute_force
 
@@ -169,3 +170,20 @@ def inclined_stop(rail, inclination, stop):
         if top[0] <= (turn @ joint)[0]:
             return (turn @ point - top)[0] * 1e-3
     raise ValueError(f"no highest point at an inclination of {inclination}")
+
+
+def assert_positions(found, wanted, place=3e-7, rail=()):
+    """Rigid contact is where ``brute_force.rigid_contact`` finds it, to ``place`` [m], in the coordinates
+    ``rail`` too. Printed coefficients leave steps of 1 nm at the joints, which the product has closed; a gap
+    that is off by this much moves the contact by sqrt(2e-9 / 5 m) / 100, 0.2 um."""
+    assert found.status <= 1
+    assert found.roll == pytest.approx(wanted.roll, abs=3e-9)                                   # [rad]
+    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=3e-9)               # [m]
+    for side in ("left", "right"):
+        mine, theirs = getattr(found, side), getattr(wanted, side)
+        for name in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track", *rail):
+            one, other = getattr(mine.contact, name), getattr(theirs, name)
+            assert one == pytest.approx(other, abs=place), (side, name)
+        assert mine.rolling_radius == pytest.approx(theirs.rolling_radius, abs=place)
+        # the angle follows the position with the wheel's curvature, 77 1/m at most
+        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=100 * place)

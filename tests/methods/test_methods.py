@@ -93,12 +93,12 @@ def test_objects_and_keywords_give_the_same_system(objects, keywords):
         ({"track": Material()}, "track is Material(); permitted is a Track"),
         (
             {"normal_model": Adaptive()},
-            "normal_model is Adaptive(); permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'",
+            f"normal_model is Adaptive(); permitted are {str(NormalModel.family.names())[1:-1]}",
         ),
         (
             {"normal_model": Hertz(), "nodes": 12},
             "nodes is 12; permitted with the normal_model 'hertz' is None, "
-            "only 'analyn' or 'analyn_strip' has nodes",
+            f"only {' or '.join(map(repr, NormalModel.family.with_keyword('nodes')))} has nodes",
         ),
         (
             {"normal_model": Halfspace(), "separation": VerticalSeparation()},
@@ -213,6 +213,8 @@ def test_a_method_registers_itself(monkeypatch):
     for name, taken in (("own", number + 1), ("other", 0)):
         with pytest.raises(TypeError, match="two methods of normal_model"):
             type("Other", (NormalModel,), {"name": name, "kernel_number": taken, "words": ""})
+    with pytest.raises(TypeError, match="Other has no kernel_number and no words"):
+        type("Other", (NormalModel,), {"name": "other"})
 
 
 def test_every_method_is_a_name_of_the_package():

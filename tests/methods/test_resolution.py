@@ -10,7 +10,7 @@ import wrcontact
 from tests.helpers.inside import tables_of
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
-from wrcontact.methods import Analyn, Resolution, Strip, family_of
+from wrcontact.methods import Analyn, NormalModel, Resolution, Strip, family_of
 from wrcontact.methods.normal import DEFAULT
 from wrcontact.simulation.session import Refused, Session
 
@@ -168,8 +168,8 @@ def test_pickled_and_shown():
     ({"sweeps": 2},
      "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has sweeps"),
     ({"normal_model": "hertz", "nodes": 15},
-     "nodes is 15; permitted with the normal_model 'hertz' is None, only 'analyn' or 'analyn_strip' has "
-     "nodes"),
+     "nodes is 15; permitted with the normal_model 'hertz' is None, only "
+     f"{' or '.join(map(repr, NormalModel.family.with_keyword('nodes')))} has nodes"),
     ({"normal_model": "halfspace", "strips": 24},
      "strips is 24; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' has strips"),
 ])

@@ -1,21 +1,18 @@
 """Creepages of profiles that are not cones: finite displacements, poses along a run, symmetry, CONTACT."""
 
-import csv
 import math
 
 import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.cases import system
+from tests.helpers.cases import MODELS, system
 from tests.helpers.inside import work_of
 from tests.helpers.motion import creepages
-from tests.helpers.paths import DATA
 from wrcontact.interface.motion import MOTION as MOTION_INPUTS
 from wrcontact.interface.rails import RAILS
 
 RADIUS = 0.46
-MODELS = ("hertz", "analyn", "analyn_strip")
 #: A motion in which everything moves.
 MOTION = dict(speed=25.0, lateral_velocity=0.04, yaw_rate=0.06, wheel_rate=55.0, track_curvature=1 / 400)
 #: Tread, flange root and flange with yaw, and two patches.
@@ -87,21 +84,6 @@ def test_an_elastic_wheelset_follows_its_rails(model):
         assert turning[0] == pytest.approx((high.roll - low.roll) / (2 * step), abs=0.04 * lateral)
 
 
-@pytest.mark.parametrize("mode", ["rigid", "elastic"])
-def test_mirror(mode):
-    """The mirror image changes sides, and the signs of lateral creepage and spin."""
-    one = system(contact_mode=mode, normal_model="analyn")
-    state = one.evaluate(4e-3, 0.01, 80e3, 0.2, **MOTION)
-    mirrored = one.evaluate(-4e-3, -0.01, 80e3, -0.2, **MOTION | dict(
-        lateral_velocity=-0.04, yaw_rate=-0.06, track_curvature=-1 / 400))
-    for here, there in ((state.left, mirrored.right), (state.right, mirrored.left)):
-        assert len(here.patches) == len(there.patches)
-        for mine, other in zip(here.patches, there.patches):
-            np.testing.assert_allclose([mine.creepage.x, mine.creepage.y, mine.creepage.spin],
-                                       [other.creepage.x, -other.creepage.y, -other.creepage.spin],
-                                       rtol=0, atol=1e-12)
-
-
 def test_rolling_backwards():
     """Speed and rotation of the other sign, nothing else moving: the creepages change sign."""
     forth = system().evaluate(3e-3, 0.01, speed=20.0)
@@ -155,34 +137,6 @@ def test_not_a_number_is_refused(row):
         state = system(contact_mode=mode).evaluate(**{row.keyword: value})
         assert state.status == 4
         assert f"{row.name} is {value}" in wrcontact.status.explain(4, state.inputs)
-
-
-def manchester():
-    with open(DATA / "manchester_a22_creepages.csv", newline="", encoding="utf-8") as file:
-        return [{key: text if key == "side" else float(text) for key, text in row.items()}
-                for row in csv.DictReader(file)]
-
-
-#: Where CONTACT's patch covers two of ours, or lies beside it: at 0 mm it is 1.4 mm wide of ours, at 5 mm on
-#: the right there are two patches, 0.5 mm apart.
-APART = {(0.0, "left"), (0.0, "right"), (5.0, "right")}
-
-
-@pytest.mark.parametrize("row", manchester(), ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
-def test_manchester_benchmark(row):
-    """Case A-2.2 by CONTACT, whose creepages are those of the rail against the wheel along x.
-
-    Its contact point is the middle of the load of another normal model, so that on the flange the rolling
-    radius differs by 0.05 mm."""
-    shear, poisson = 82e9, 0.28
-    one = system(youngs_modulus=2 * shear * (1 + poisson), poisson_ratio=poisson, load="vertical")
-    state = one.evaluate(1e-3 * row["lateral_shift_mm"], row["yaw_rad"], 10e3, speed=2.0,
-                         wheel_rate=-row["pitch_rate_rad_s"])
-    creepage = getattr(state, row["side"]).patches[0].creepage
-    loose = 5 if (row["lateral_shift_mm"], row["side"]) in APART else 1
-    assert creepage.x == pytest.approx(-row["xi"], abs=loose * 7e-5, rel=0.007)
-    assert creepage.y == pytest.approx(row["eta"], abs=1e-5, rel=0.0025 * loose)
-    assert creepage.spin == pytest.approx(1e3 * row["phi_per_mm"], abs=loose * 1e-3, rel=0.008 * loose)
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])

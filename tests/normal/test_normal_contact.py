@@ -9,7 +9,6 @@ import wrcontact
 from data.hertz import MODULUS, hertz
 from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
-from tests.helpers.inside import counts_of
 from tests.helpers.paths import DATA
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.fixed_tables import coefficients, hertz_table
@@ -165,11 +164,11 @@ def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     assert np.all(error.max(axis=0) < worst), error
 
 
-def random_poses(count, seed, least_force=1.0):
+def random_poses(count, seed):
     rng = np.random.default_rng(seed)
     shift = rng.uniform(-0.0066, 0.0066, count)
     yaw = rng.uniform(-0.035, 0.035, count) * (rng.random(count) < 0.5)
-    return shift, yaw, 10 ** rng.uniform(np.log10(least_force), 5.5, count)
+    return shift, yaw, 10 ** rng.uniform(0.0, 5.5, count)
 
 
 def test_force_balance_and_sane_patches(system):
@@ -206,39 +205,10 @@ def test_outline_integrates_to_area_and_force(system):
         assert np.trapezoid(line, outline.station) == pytest.approx(side.normal_force, rel=0.03)
 
 
-def test_prescribed_penetration_is_the_inverse(system):
-    """The window of the lateral curvature follows the estimated penetration in one case and the given one in
-    the other; that is a few per cent of a window, and much less of the force unless regions exchange load."""
-    shift, yaw, force = random_poses(100, 9, least_force=1e3)
-    ratios = []
-    for k in range(100):
-        by_force = system.evaluate(shift[k], yaw[k], force[k])
-        back = system.evaluate(shift[k], yaw[k],
-                               penetration=(by_force.left.penetration, by_force.right.penetration))
-        for one, other in ((by_force.left, back.left), (by_force.right, back.right)):
-            ratios.append(other.normal_force / one.normal_force)
-            assert other.penetration == one.penetration, (shift[k], yaw[k], force[k])
-    error = np.abs(np.array(ratios) - 1)
-    assert np.median(error) < 2e-3 and np.percentile(error, 90) < 0.02 and error.max() < 0.2
+def test_a_penetration_below_zero_is_refused(system):
     with pytest.raises(ValueError, match=r"penetration \(left\) is -1 m; permitted is 0 ... 0.01 m"):
         system.evaluate(penetration=-1.0)
     assert system.evaluate().right.normal_force == pytest.approx(78.5e3)
-
-
-@pytest.mark.parametrize("model", ["analyn", "hertz"])
-def test_no_penetration_is_no_load(model):
-    """Whatever force is given beside it; the other wheel does not mind."""
-    state = wrcontact.ContactSystem(normal_model=model).evaluate(2e-3, penetration=(0.0, 5e-5))
-    assert state.status == wrcontact.Status.UNLOADED and np.all(np.isfinite(state.values))
-    assert state.left.patch_count == 0 and state.left.normal_force == 0.0
-    assert state.right.penetration == 5e-5 and state.right.normal_force > 1e4
-
-
-def test_force_rises_with_penetration(system):
-    for shift, yaw in ((0.0, 0.0), (1e-3, 0.0), (5e-3, 0.0), (6e-3, 0.02), (6.2e-3, 0.0), (7e-3, 0.01)):
-        loads = [system.evaluate(shift, yaw, penetration=d).right.normal_force
-                 for d in np.linspace(5e-6, 2e-4, 60)]
-        assert np.all(np.diff(loads) > 0), (shift, yaw)
 
 
 def test_light_loads_tend_to_hertz():
@@ -271,16 +241,6 @@ def test_scaling_with_size():
         assert side_large.penetration == pytest.approx(1.3 * side_one.penetration, rel=1e-7)
         assert side_large.area == pytest.approx(1.69 * side_one.area, rel=1e-7)
         assert side_large.contact.y_wheel == pytest.approx(1.3 * side_one.contact.y_wheel, rel=1e-9)
-
-
-def test_scaling_with_stiffness(system):
-    """Twice the modulus under twice the force is the same geometry at twice the pressure."""
-    stiff = wrcontact.ContactSystem(youngs_modulus=420e9)
-    for shift in (0.0, 5e-3, 6.5e-3):
-        soft, hard = system.evaluate(shift,
-                                     normal_force=5e4).right, stiff.evaluate(shift, normal_force=1e5).right
-        assert (hard.penetration, hard.area) == pytest.approx((soft.penetration, soft.area), rel=1e-9)
-        assert hard.max_pressure == pytest.approx(2 * soft.max_pressure, rel=1e-9)
 
 
 def test_flat_and_concave_pairs_are_handled(system):
@@ -319,21 +279,3 @@ def test_unloaded_wheels_keep_their_geometry(system):
     one_sided = system.evaluate(2e-3, load_transfer=1.0)
     assert one_sided.status == wrcontact.Status.UNLOADED
     assert one_sided.left.normal_force == 0.0 and one_sided.right.normal_force == pytest.approx(157e3)
-
-
-def test_work_is_bounded(system):
-    """Counts per pose, in trajectory order and at random: the budget that performance rests on. Some twenty
-    of the gaps look at the ends of the profiles and for minima between two nodes of the scan, some forty for
-    what overlaps where the wheels are pressed."""
-    stepper = system.stepper()
-    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)),
-                                 (87, 2.3, 57, 7.8)),
-                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000),
-                                 (87, 2.3, 57, 7.8))):
-        before = np.array(list(counts_of(stepper).values()))
-        inputs = np.zeros((2000, layout.INPUT_COUNT))
-        inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3
-        stepper.step_many(inputs, np.zeros((2000, layout.OUTPUT_COUNT)), np.zeros(2000))
-        counts = ((np.array(list(counts_of(stepper).values())) - before) / 2000)[[0, 1, 3, 4]]
-        # measured 84.0, 2.2, 52.8, 7.3 and 84.9, 2.1, 55.1, 7.6
-        assert np.all(counts <= budget), (name, counts)

@@ -37,50 +37,6 @@ def test_nothing_is_read_from_the_workspace_that_was_not_written(model, poison):
     np.testing.assert_array_equal(poisoned.view(np.int64), clean.view(np.int64))
 
 
-def numbers_of(outputs, names=EXTENT):
-    """Totals of both sides (n, 2 k) from outputs."""
-    places = [getattr(layout, f"SIDE_{name.upper()}") for name in names]
-    return outputs[:, [first + place for first in (layout.OUT_LEFT, layout.OUT_RIGHT) for place in places]]
-
-
-@pytest.mark.parametrize("model, names, allowed", [
-    ("analyn", EXTENT, 1e-9),
-    # contact stations known to 1e-14 m: a strip at the edge carries a share of 1e-14 more or less, and at the
-    # edge the half-length is the root of it
-    ("analyn_strip", EXTENT, 1e-7),
-    ("analyn_strip", ("penetration",), 1e-9),
-])
-def test_the_order_of_poses_changes_nothing(model, names, allowed):
-    rows = random_poses(1500, 42)
-    order = np.random.default_rng(43).permutation(len(rows))
-    one, other = system_of(model).stepper(), system_of(model).stepper()
-    straight, mixed = np.full((2, len(rows), layout.OUTPUT_COUNT), np.nan)
-    one.step_many(rows, straight, np.zeros(len(rows)))
-    shuffled = np.zeros_like(mixed)
-    other.step_many(np.ascontiguousarray(rows[order]), shuffled, np.zeros(len(rows)))
-    mixed[order] = shuffled
-    difference = np.abs(numbers_of(mixed, names) / numbers_of(straight, names) - 1)
-    worst = np.argmax(difference.max(axis=1))
-    assert difference.max() < allowed, (difference.max(), rows[worst])
-
-
-@pytest.mark.parametrize("model, allowed", [("analyn", 1e-8), ("analyn_strip", 1e-5)])
-def test_mirror(model, allowed):
-    """Left and right change places with the signs of shift and yaw: roll to 1e-12 rad, contact
-    stations to 1e-12 m, so that penetration and pressure agree to 1e-9; areas hang on the root of
-    what the last strip carries."""
-    rows = random_poses(1500, 44)
-    shift, yaw, force = rows[:, 0], rows[:, 1], rows[:, 3]
-    one, other = (system_of(model).evaluate_many(sign * shift, sign * yaw, force) for sign in (1, -1))
-    assert np.abs(one.roll + other.roll).max() < 1e-12
-    for here, there in ((one.left, other.right), (one.right, other.left)):
-        assert np.abs(here.contact.y_wheel - there.contact.y_wheel).max() < 1e-12
-        assert np.abs(here.contact.x_wheel - there.contact.x_wheel).max() < 1e-12
-        for name in ("penetration", "max_pressure", "patch_length", "patch_width"):
-            assert np.abs(getattr(here, name) / getattr(there, name) - 1).max() < 1e-8, name
-        assert np.abs(here.area / there.area - 1).max() < allowed
-
-
 # --- once wrong ----------------------------------------------------------------------------
 
 
@@ -143,20 +99,23 @@ def test_light_loads_scale_like_hertz(shift, yaw):
 # --- prescribed penetration -----------------------------------------------------------------------
 
 
-def test_prescribed_penetration_is_the_inverse():
+@pytest.mark.parametrize("model, middle, most, worst", [
+    # measured 0.10, 0.59, 1.9 % with strips
+    ("analyn_strip", 1.3e-3, 7.6e-3, 0.028), ("analyn", 2e-3, 0.03, 0.1)])
+def test_prescribed_penetration_is_the_inverse(model, middle, most, worst):
     """The first strips lie over what overlaps at the estimated penetration in one case, and at the prescribed
-    one in the other: 1 % of the load, more only where a region appears."""
+    one in the other: 1 % of the load, more only where a region appears. So does the window over which ANALYN
+    takes its lateral curvature: a few per cent of it, and much less of the force."""
     ratios = []
     for shift, yaw, force in random_poses(150, 45, low=1e3)[:, POSE]:
-        one = system_of().evaluate(shift, yaw, force)
-        back = system_of().evaluate(shift, yaw, penetration=(one.left.penetration, one.right.penetration))
+        one = system_of(model).evaluate(shift, yaw, force)
+        depths = one.left.penetration, one.right.penetration
+        back = system_of(model).evaluate(shift, yaw, penetration=depths)
         for there, here in ((one.left, back.left), (one.right, back.right)):
             assert here.penetration == there.penetration
             ratios.append(here.normal_force / there.normal_force - 1)
-    error = np.abs(ratios)
-    # measured 0.10, 0.59, 1.9 %
-    assert np.median(error) < 1.3e-3 and np.percentile(error, 95) < 7.6e-3
-    assert np.percentile(error, 99) < 0.028
+    found = np.quantile(np.abs(ratios), [0.5, 0.95, 0.99])
+    assert np.all(found < (middle, most, worst)), found
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.015])
@@ -184,17 +143,20 @@ def test_a_region_that_is_deeper_than_estimated_takes_up_load(pose, side):
     assert np.all(np.abs(error) < (0.01, 0.05, 0.03)), error
 
 
-@pytest.mark.parametrize("yaw", [0.0, 0.02])
-def test_force_rises_with_penetration(yaw):
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
+@pytest.mark.parametrize("yaw", [0.0, 0.01, 0.02])
+def test_force_rises_with_penetration(yaw, model):
     for shift in np.linspace(-6.6e-3, 6.6e-3, 23):
-        loads = [system_of().evaluate(shift, yaw, penetration=depth, side="right",
-                                      outputs="patches").right.normal_force
+        loads = [system_of(model).evaluate(shift, yaw, penetration=depth, side="right",
+                                           outputs="patches").right.normal_force
                  for depth in np.linspace(5e-6, 2e-4, 60)]
         assert np.all(np.diff(loads) > 0), shift
 
 
-def test_no_penetration_is_no_load():
-    state = system_of().evaluate(2e-3, penetration=(0.0, 5e-5))
+@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+def test_no_penetration_is_no_load(model):
+    """Whatever force is given beside it; the other wheel does not mind."""
+    state = system_of(model).evaluate(2e-3, penetration=(0.0, 5e-5))
     assert state.status == Status.UNLOADED and np.all(np.isfinite(state.values))
     assert state.left.patch_count == 0 and state.left.normal_force == 0.0
     assert state.right.penetration == 5e-5 and state.right.normal_force > 1e4

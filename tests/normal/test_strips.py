@@ -117,13 +117,14 @@ def test_half_space_of_another_material():
                                worst_near_jump=(0.03, 0.10, 0.35))
 
 
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 @pytest.mark.parametrize("yaw", [0.0, 0.02])
 @pytest.mark.parametrize("shift", [0.0, 3e-3, 5e-3, 6.4e-3])
-def test_force_over_modulus_decides_the_patch(shift, yaw):
+def test_force_over_modulus_decides_the_patch(shift, yaw, model):
     """The same N / E* is the same patch at pressures that go with E*."""
     modulus = {"steel": MODULUS, "aluminium": 70e9 / (2 * (1 - 0.33**2))}
-    one = system_of().evaluate(shift, yaw, normal_force=5e4).right
-    soft = system_of(youngs_modulus=70e9, poisson_ratio=0.33).evaluate(
+    one = system_of(model).evaluate(shift, yaw, normal_force=5e4).right
+    soft = system_of(model, youngs_modulus=70e9, poisson_ratio=0.33).evaluate(
         shift, yaw, normal_force=5e4 * modulus["aluminium"] / modulus["steel"]).right
     for name in ("penetration", "area", "patch_length", "patch_width"):
         assert getattr(soft, name) == pytest.approx(getattr(one, name), rel=1e-9), name

@@ -1,28 +1,31 @@
-"""The kernel's preparation of its tables: against the numpy witness, compiled against its
-source, and what it refuses."""
+"""The kernel's preparation of its tables: against the exact profiles, scipy and dense samples, compiled
+against its source, and what it refuses."""
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 import wrcontact
-from tests.helpers import numpy_curvatures, numpy_profiles, numpy_scan
 from tests.helpers.inside import tables_of
-from tests.helpers.numpy_profiles import place_rail, readable_wheel
-from tests.helpers.numpy_tables import build_tables
-from wrcontact.interface.inputs import LATERAL_LIMIT
+from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.interface.parameters import KERNEL_PARAMETERS
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.binding.fixed_tables import fixed_tables
+from wrcontact.kernel.binding.fixed_tables import fixed_tables, hertz_table, influence_table
 from wrcontact.kernel.binding.library import Kernel, default_kernel
-from wrcontact.kernel.prepare import tables as prepare_tables
+from wrcontact.kernel.prepare import pieces as made
+from wrcontact.kernel.prepare import scan as raster
+from wrcontact.kernel.prepare.tables import START_STEP, STARTS_EACH_METRE
+from wrcontact.kernel.search.bounds import STEEP, WIDEST
 from wrcontact.methods import NUMBERS
 from wrcontact.profiles import Profile
 from wrcontact.profiles.catalogue import standard_profile
+from wrcontact.profiles.compiled import evaluate_table, table_pieces
 from wrcontact.profiles.definition import definition
+from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
 
-CURVATURE = 1e-10   # [1/m]; chords of 0.2 mm between points that are exact to 1e-17 m
+MM = 1e-3
 LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012,
               "nominal_radius": 0.5}
 
@@ -61,31 +64,278 @@ CASES = {
 }
 
 
-def witness(system):
-    """The tables by numpy from the exact profiles."""
+@pytest.fixture(params=CASES)
+def prepared(request):
+    """A system and the head of its tables."""
+    system = wrcontact.ContactSystem(**CASES[request.param])
+    return system, layout.Tables.at(tables_of(system))
+
+
+def exact_profiles(system):
+    """Wheel and placed rail as their definitions have them."""
     chosen = system.parameters
-    methods = {name: numbers[chosen[name]] for name, numbers in NUMBERS.items()}
     placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
-    tables = build_tables(readable_wheel(system.wheel), placed, nominal_radius=chosen["nominal_radius"],
-                          running_circle_distance=chosen["running_circle_distance"],
-                          contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
-                          shear_modulus=chosen["youngs_modulus"] / (2 * (1 + chosen["poisson_ratio"])),
-                          methods=methods, resolution=system.resolution,
-                          curvature_step=chosen["curvature_step"], curvature_reach=chosen["curvature_reach"])
+    return readable_wheel(system.wheel), placed
+
+
+def test_settings_are_the_parameters(prepared):
+    system, tables = prepared
+    chosen = system.parameters
+    modulus, nu = chosen["youngs_modulus"], chosen["poisson_ratio"]
+    methods = {name: numbers[chosen[name]] for name, numbers in NUMBERS.items()}
+    wanted = dict(radius=chosen["nominal_radius"], height=chosen["nominal_radius"],
+                  arm=0.5 * chosen["running_circle_distance"], rail_y=exact_profiles(system)[1].y_track,
+                  contact_modulus=modulus / (2 * (1 - nu**2)), shear_modulus=modulus / (2 * (1 + nu)),
+                  lateral_limit=LATERAL_LIMIT, yaw_limit=YAW_LIMIT, sides=layout.SIDES_BOTH,
+                  depth=layout.DEPTH_ALL, absent=np.nan, stations=layout.STATION_COUNT,
+                  mode=methods["contact_mode"], load=methods["load"], normal_model=methods["normal_model"],
+                  separation=methods["separation"], longitudinal=methods["longitudinal_curvature"],
+                  lateral=methods["lateral_curvature"], tangential=methods["tangential_model"])
+    np.testing.assert_allclose([getattr(tables, name) for name in wanted], list(wanted.values()), rtol=1e-15)
+    assert (tables.nodes, tables.stride, tables.strips, tables.sweeps) == tuple(system.resolution)
+    assert np.isnan(tables.penetration[:]).all()
     known = {**chosen, **methods, "tolerance": chosen["tolerance"] or 0.01}
-    tables[layout.SET_PARAMETERS:][:layout.PARAMETERS_SIZE] = [known[name] for name in KERNEL_PARAMETERS]
-    return tables
+    np.testing.assert_array_equal(tables.parameters[:], [known[name] for name in KERNEL_PARAMETERS])
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_tables_are_those_of_the_witness(case):
-    system = wrcontact.ContactSystem(**CASES[case])
-    found, wanted = tables_of(system), witness(system)
-    assert found.size == wanted.size
-    curvatures = int(found[layout.SET_WHEEL_CURVATURE])
-    np.testing.assert_allclose(found[:curvatures], wanted[:curvatures], rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(found[curvatures:], wanted[curvatures:], rtol=1e-12, atol=CURVATURE)
+def test_tables_lie_one_after_the_other(prepared):
+    system, _ = prepared
+    numbers = tables_of(system)
+    places = [int(numbers[at]) for at in (
+        layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN, layout.SET_HERTZ, layout.SET_INFLUENCE,
+        layout.SET_STARTS, layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE, layout.SET_RAIL_ARC,
+        layout.SET_RAIL_AT_ARC)] + [len(numbers)]
+    (_, _, _, hertz, influence, starts, wheel, rail, arc, at_arc, end) = places
+    assert places[0] == layout.SETTING_COUNT and places == sorted(places)
+    np.testing.assert_array_equal(numbers[hertz:influence], hertz_table())
+    np.testing.assert_array_equal(numbers[influence:starts], influence_table())
+    assert wheel - starts == layout.STARTS_SIZE
+    if system.parameters["lateral_curvature"] == "adaptive":
+        assert wheel == rail == arc
+    else:
+        assert rail - wheel == 3 + numbers[wheel] and arc - rail == 3 + numbers[rail]
+    for first, after in ((arc, at_arc), (at_arc, end)):
+        assert after - first == 3 + 4 * numbers[first]
+
+
+# --- profiles -------------------------------------------------------------------------------------
+
+
+def zone_jets(profile, index, y):
+    """Height [m], slope and second derivative [1/m] of zone ``index`` at ``y`` [m], (3, n)."""
+    return np.array(profile.zones[index](np.asarray(y) / MM)) * np.array([MM, 1.0, 1 / MM])[:, None]
+
+
+def joint_jets(profile, index, y):
+    """Those of zone ``index`` at the end ``y`` of a piece (2,), whose heights are led to the mean where a
+    joint has a step; and whether one has."""
+    jets, stepped = zone_jets(profile, index, y), False
+    for column, other in ((0, index - 1), (1, index + 1)):
+        joint = profile.zones[index].start if column == 0 else profile.zones[index].stop
+        if 0 <= other < len(profile.zones) and y[column] == joint * MM:
+            beside = zone_jets(profile, other, y)[:, column]
+            if abs(beside[0] - jets[0, column]) > made.REPAIRED_STEP * MM:
+                jets[:, column], stepped = 0.5 * (jets[:, column] + beside), True
+    return jets, stepped
+
+
+def check_pieces(table, profile):
+    """Each piece has its zone's height, slope and second derivative at both ends and keeps to it between
+    them; steps of the heights are led over within REPAIR_WIDTH or half of the zone."""
+    pieces, head = table_pieces(table), layout.Profile.at(table)
+    assert (head.start, head.stop) == (profile.start, profile.stop) and np.isnan(pieces[-1]).all()
+    edges = np.append(pieces[:-1, 0], head.stop)
+    assert (np.diff(edges) > 0).all() and np.diff(edges).max() <= MM * made.LONGEST_PIECE * (1 + 1e-9)
+    starts = np.array([zone.start * MM for zone in profile.zones])
+    assert np.isin(starts, edges).all()
+    owners = np.searchsorted(starts, 0.5 * (edges[1:] + edges[:-1])) - 1
+    for index, low, high, row in zip(owners, edges, edges[1:], pieces):
+        wanted, stepped = joint_jets(profile, index, np.array([low, high]))
+        quintic = np.polynomial.Polynomial(row[1:])
+        def jets(u):
+            return np.array([quintic(u), quintic.deriv()(u), quintic.deriv(2)(u)])
+        width = high - low
+        rounding = 1e-13 * np.abs(wanted).max(axis=1, keepdims=True) + [[1e-17], [1e-16 / width],
+                                                                        [1e-15 / width**2]]
+        assert (np.abs(jets(np.array([0.0, width])) - wanted) <= rounding).all(), (low, high)
+        if stepped:
+            zone = profile.zones[index]
+            repaired = MM * min(made.REPAIR_WIDTH, 0.5 * (zone.stop - zone.start))
+            assert width == pytest.approx(repaired, rel=1e-9)
+        elif width > 2 * MM * made.SHORTEST_PIECE:
+            u = width * np.linspace(0.1, 0.9, 9)
+            off, exact = jets(u), zone_jets(profile, index, low + u)
+            assert np.abs(off - exact)[0].max() <= MM * made.PIECE_ERROR * 1.001
+            bends = np.abs(off - exact)[2] / (1 / MM + np.abs(exact[2]))
+            assert bends.max() <= made.PIECE_BEND_ERROR * 1.001
+    left = head.start + made.BIN_WIDTH * MM * np.arange(int(head.bin_count))
+    assert head.stop - made.BIN_WIDTH * MM <= left[-1] < head.stop
+    assert head.bins_per_metre == 1 / (made.BIN_WIDTH * MM)
+    first = (np.asarray(head.bins[:len(left)]) - head.bins[0]) / layout.PIECE_SIZE
+    np.testing.assert_array_equal(first, np.searchsorted(edges[:-1], left + 1e-15, side="right") - 1)
+
+
+def test_pieces_are_those_of_the_exact_profiles(prepared):
+    system, _ = prepared
+    wheel, rail, _ = system.profile_tables()
+    exact_wheel, placed = exact_profiles(system)
+    check_pieces(wheel, exact_wheel)
+    check_pieces(rail, placed.profile)
+
+
+@pytest.mark.parametrize("inclination", [0.0, 1 / 40, 0.1])
+def test_profiles_are_read_up_to_80_degrees(inclination):
+    """Both sides of the head and the back of the flange; the wheel's field side is less steep."""
+    wheel, rail, _ = wrcontact.ContactSystem(rail_inclination=inclination).profile_tables()
+    for table, wanted in ((rail, (-80.0, 80.0)), (wheel, (80.0, -np.degrees(np.arctan(1 / 15))))):
+        head = layout.Profile.at(table)
+        steepness = np.degrees(np.arctan(evaluate_table(table, [head.start, head.stop])[1]))
+        np.testing.assert_allclose(steepness, wanted, atol=1e-6)
+
+
+def test_pieces_are_few():
+    """As many as it takes to keep to S1002 and UIC60, counted once."""
+    tables = wrcontact.ContactSystem().profile_tables()[:2]
+    assert [len(table_pieces(table)) - 1 for table in tables] == [323, 259]
+
+
+# --- the search's raster --------------------------------------------------------------------------
+
+
+class Samples:
+    """Second derivatives and slopes of a profile's table: of each piece at 17 places, both ends among
+    them, so that a jump of the curvature counts with both its sides."""
+
+    def __init__(self, table):
+        self.table, head, pieces = table, layout.Profile.at(table), table_pieces(table)[:-1]
+        self.start, self.stop = head.start, head.stop
+        widths = np.diff(np.append(pieces[:, 0], head.stop))
+        u = np.linspace(0.0, 1.0, raster.LAST_SAMPLE + 1)[:, None] * widths
+        quintics = np.polynomial.polynomial
+        coefficients = pieces[:, 1:].T
+        self.y = pieces[:, 0] + u
+        self.slopes, self.bends = (
+            quintics.polyval(u, quintics.polyder(coefficients, order)[:, None, :], tensor=False)
+            for order in (1, 2))
+
+    def between(self, low, high):
+        """Smallest and largest second derivative [1/m], and largest absolute slope, with both ends'."""
+        low, high = np.clip([low, high], self.start, self.stop)
+        inside = (self.y >= low) & (self.y <= high)
+        _, slopes, bends = evaluate_table(self.table, [low, high])
+        bends, slopes = np.append(self.bends[inside], bends), np.append(self.slopes[inside], slopes)
+        return bends.min(), bends.max(), np.abs(slopes).max()
+
+
+def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
+    system, tables = prepared
+    wheel, rail, _ = system.profile_tables()
+    scan, of_wheel, of_rail = tables.scan, Samples(wheel), Samples(rail)
+    nodes = [scan.nodes[k] for k in range(int(scan.count))]
+    y = np.array([node.y for node in nodes])
+    coarse = np.linspace(of_wheel.start, of_wheel.stop,
+                         int(np.ceil((of_wheel.stop - of_wheel.start) / raster.COARSE_STEP)) + 1)
+    middles = [0.5 * (low + high) for low, high in zip(coarse, coarse[1:])
+               if np.abs(of_wheel.between(low, high)[:2]).max() > raster.STRAIGHT]
+    np.testing.assert_allclose(y, np.sort([*coarse, *middles]), atol=1e-16)
+    assert (scan.bin_count, scan.bins_per_metre) == (len(coarse) - 1,
+                                                     (len(coarse) - 1) / (of_wheel.stop - of_wheel.start))
+    np.testing.assert_array_equal(scan.bins[:len(coarse) - 1], np.searchsorted(y, coarse[:-1] - 1e-12))
+    height, slope, _ = evaluate_table(wheel, y)
+    np.testing.assert_array_equal([(node.height, node.slope) for node in nodes], np.array([height, slope]).T)
+    near = dict(rel=1e-11, abs=1e-9)
+    for k, node in enumerate(nodes):
+        for exponent in range(layout.EXPONENTS):
+            least, most, steepest = of_wheel.between(y[k], y[min(k + 2**exponent, len(y) - 1)])
+            assert node.steepest_bends[exponent] == pytest.approx(max(abs(least), abs(most)), **near)
+            assert node.most_bends[exponent] == pytest.approx(most if steepest < STEEP else raster.TOO_STEEP,
+                                                              **near)
+        assert node.least_bend == pytest.approx(of_wheel.between(y[k], y[min(k + 1, len(y) - 1)])[0], **near)
+    assert scan.steepest == pytest.approx(of_wheel.between(-1.0, 1.0)[2], **near)
+    at = y[:, None] + np.append(np.diff(y), 0.0)[:, None] * np.linspace(0.0, 1.0, raster.LAST_SAMPLE + 1)[:-1]
+    z, slope, _ = evaluate_table(wheel, at)
+    levers = (-slope * (tables.radius + z) - (tables.arm + at)).max(axis=1)
+    np.testing.assert_allclose([node.lever for node in nodes], np.maximum.accumulate(levers[::-1])[::-1],
+                               rtol=1e-12)
+    step = raster.FINE_STEP
+    assert (scan.rail_start, scan.rail_per_metre) == (of_rail.start, 1.0 / step)
+    assert scan.rail_count == np.ceil((of_rail.stop - of_rail.start) / step)
+    for k in range(int(scan.rail_count)):
+        cell, edge = scan.rail[k], of_rail.start + step * k
+        # a wheel's cell starts in one of the rail's and is COARSE_STEP long, a quarter more when yawed
+        least, most, _ = of_rail.between(edge - step, edge + step + 1.5 * raster.COARSE_STEP)
+        assert (cell.least_bend, cell.most_bend) == pytest.approx((least, most), **near)
+        wanted = [of_rail.between(edge - 0.01 * step, edge + step * (1.01 + (1 + WIDEST) * 1.01 * 2**n))[0]
+                  for n in range(layout.EXPONENTS + 1)]
+        assert cell.least_bends[:] == pytest.approx(wanted, **near)
+
+
+def test_starts_are_those_of_steps(prepared):
+    """Roll and contacts of a system that is told a step before; opposite shifts are mirror images."""
+    system, tables = prepared
+    starts, middle = tables.starts, layout.START_COUNT // 2
+    assert layout.START_COUNT == 2 * round(LATERAL_LIMIT / START_STEP) + 1
+    assert (starts.count, starts.first_shift, starts.per_metre) == (layout.START_COUNT, -LATERAL_LIMIT,
+                                                                    STARTS_EACH_METRE)
+    shifts = starts.first_shift + np.arange(layout.START_COUNT) / STARTS_EACH_METRE
+    table = system.evaluate_many(shifts, normal_force=0.0, outputs="geometry")
+    for k, status in enumerate(table.status):
+        row, twin = starts.rows[k], starts.rows[layout.START_COUNT - 1 - k]
+        assert row.known == (status <= layout.UNLOADED)
+        assert (row.roll, row.left, row.right) == (-twin.roll, twin.right, twin.left)
+        if row.known:
+            wanted = table.roll[k], table.left.contact.y_wheel[k], table.right.contact.y_wheel[k]
+            assert (row.roll, row.left, row.right) == pytest.approx(wanted, rel=1e-9, abs=1e-9)
+    assert starts.rows[middle].roll == 0.0
+
+
+# --- arc lengths ----------------------------------------------------------------------------------
+
+
+def nodes_of(table):
+    """Ends of the cells of a table of cubics, and value and slope there, (n,) each, on which the cubics
+    of both sides agree."""
+    count, width = int(table.count), 1 / table.cells_per_unit
+    cells = np.array([(cell.value, cell.slope, cell.bend, cell.third)
+                      for cell in (table.cells[k] for k in range(count))])
+    ahead = np.stack([cells.sum(axis=1), cells @ [0, 1, 2, 3]], axis=1)
+    np.testing.assert_allclose(ahead[:-1], cells[1:, :2], rtol=1e-9)
+    jets = np.append(cells[:, :2], ahead[-1:], axis=0) * [1.0, 1 / width]
+    return table.start + width * np.arange(count + 1), *jets.T
+
+
+def test_arc_lengths_are_integrals_along_the_rail(prepared):
+    """By adaptive quadrature between the ends of the pieces."""
+    system, tables = prepared
+    rail = system.profile_tables()[1]
+    head = layout.Profile.at(rail)
+
+    def speed(y):
+        return np.hypot(1.0, evaluate_table(rail, y)[1])
+
+    def arc(low, high):
+        return quad(speed, low, high, epsabs=1e-15)[0]
+
+    ends = np.append(table_pieces(rail)[:-1, 0], head.stop)
+    lengths = np.append(0.0, np.cumsum([arc(low, high) for low, high in zip(ends, ends[1:])]))
+
+    def length_at(y):
+        piece = min(np.searchsorted(ends, y, side="right"), len(ends) - 1) - 1
+        return lengths[piece] + arc(ends[piece], y)
+
+    for table, start, whole in ((tables.rail_arc, head.start, head.stop - head.start),
+                                (tables.rail_at_arc, 0.0, lengths[-1])):
+        assert (table.start, table.count) == (start, np.ceil(whole / 1e-4))
+        assert table.count / table.cells_per_unit == pytest.approx(whole, abs=1e-13)
+    y, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(tables.rail_arc))
+    y = np.minimum(y, head.stop)
+    np.testing.assert_allclose(found, [length_at(place) for place in y], rtol=0, atol=1e-13)
+    np.testing.assert_allclose(slope, speed(y), rtol=1e-12)
+    length, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(tables.rail_at_arc))
+    found = np.minimum(found, head.stop)
+    np.testing.assert_allclose([length_at(place) for place in found], length, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(slope, 1 / speed(found), rtol=1e-11)
 
 
 @pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
@@ -145,25 +395,3 @@ def test_setup_that_is_no_array_is_refused():
     upright = definition(standard_profile("UIC60"))
     with pytest.raises(TypeError, match="setup must be a numpy array"):
         Kernel().prepare([0.0], upright, upright, fixed_tables())
-
-
-def test_constants_are_those_of_the_witness():
-    from wrcontact.kernel.prepare import curvatures as prepare_curvatures
-    from wrcontact.kernel.prepare import pieces as prepare_pieces
-    from wrcontact.kernel.prepare import scan as prepare_scan
-    from wrcontact.kernel.prepare import zones as prepare_placement
-
-    pairs = [(prepare_pieces, numpy_profiles,
-              ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE",
-               "REPAIR_WIDTH", "REPAIRED_STEP", "BIN_WIDTH", "MM")),
-             (prepare_placement, numpy_profiles, ("STEEPEST",)),
-             (prepare_scan, numpy_scan, ("COARSE_STEP", "FINE_STEP", "STRAIGHT", "TOO_STEEP")),
-             (prepare_curvatures, numpy_curvatures,
-              ("RASTER_SHARE", "FINEST", "COARSEST", "SAMPLES", "GAUSS_POINTS",
-               "ARC_ITERATIONS", "ARC_SHARP"))]
-    for ours, theirs, names in pairs:
-        for name in names:
-            assert getattr(ours, name) == getattr(theirs, name), name
-    assert prepare_tables.START_COUNT == 2 * round(LATERAL_LIMIT / prepare_tables.START_STEP) + 1
-    assert prepare_tables.STARTS_EACH_METRE == 1.0 / prepare_tables.START_STEP
-    assert prepare_pieces.BINS_EACH_METRE == 1.0 / (numpy_profiles.BIN_WIDTH * numpy_profiles.MM)

@@ -17,7 +17,12 @@ TOLERANCE = 3e-3
 SAME_PROBLEM = 2e-5
 
 
-def check(case):
+def name(case):
+    return f"a/b {case['a_over_b']} {case['family']} {case['level']}"
+
+
+@pytest.mark.parametrize("case", CASES["cases"], ids=name)
+def test_forces_are_contacts_on_its_cells(case):
     meta, a, b = CASES["meta"], 1e-3 * case["a_mm"], 1e-3 * case["b_mm"]
     creep, truth = case["creep"], case["contact"]
     field = contact_cells(a, b, truth["FN"])
@@ -29,43 +34,19 @@ def check(case):
     assert max(np.hypot(*apart[:2]), abs(apart[2])) < TOLERANCE, (name(case), apart)
 
 
-def name(case):
-    return f"a/b {case['a_over_b']} {case['family']} {case['level']}"
-
-
-@pytest.mark.parametrize("case", CASES["cases"][3::20], ids=name)
-def test_forces_are_contacts_on_its_cells(case):
-    check(case)
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("case", CASES["cases"], ids=name)
-def test_all_forces_are_contacts_on_its_cells(case):
-    check(case)
-
-
-def check_patch(patch, case):
+@pytest.mark.parametrize("patch", PATCHES["patches"], ids="{0[y_shift_mm]} mm".format)
+def test_forces_on_contacts_own_pressures(patch):
     """Both solve the same finite problem, on the same pressures: the bar is CONTACT's stopping criterion and
     its seven printed digits."""
-    meta, grid, truth = PATCHES["meta"], patch["grid"], case["contact"]
+    meta, grid = PATCHES["meta"], patch["grid"]
     field = PressureField.of_cells(1e-3 * (grid["x_first"] + grid["dx"] * np.arange(grid["nx"])),
                                    1e-3 * (grid["y_first"] + grid["dy"] * np.arange(grid["ny"])),
                                    1e6 * np.array(patch["pressure_MPa"]))
-    slip = rigid_slip(field, case["xi"], case["eta"], 1e3 * case["phi_per_mm"], OFFSET)
-    found = contact_of_slip(field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"],
-                            poisson_ratio=meta["nu"])
-    wanted = [truth[name] for name in ("Fx", "Fy", "Mz")]
-    apart = errors(found, wanted, meta["mu"] * truth["FN"], 5e-3)
-    assert np.abs(apart).max() < SAME_PROBLEM, (patch["y_shift_mm"], case["xi"], case["eta"], apart)
-
-
-@pytest.mark.parametrize("patch", PATCHES["patches"], ids="{0[y_shift_mm]} mm".format)
-def test_forces_on_contacts_own_pressures(patch):
-    check_patch(patch, patch["cases"][-1])
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("patch", PATCHES["patches"], ids="{0[y_shift_mm]} mm".format)
-def test_all_forces_on_contacts_own_pressures(patch):
     for case in patch["cases"]:
-        check_patch(patch, case)
+        truth = case["contact"]
+        slip = rigid_slip(field, case["xi"], case["eta"], 1e3 * case["phi_per_mm"], OFFSET)
+        found = contact_of_slip(field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"],
+                                poisson_ratio=meta["nu"])
+        wanted = [truth[name] for name in ("Fx", "Fy", "Mz")]
+        apart = errors(found, wanted, meta["mu"] * truth["FN"], 5e-3)
+        assert np.abs(apart).max() < SAME_PROBLEM, (patch["y_shift_mm"], case["xi"], case["eta"], apart)

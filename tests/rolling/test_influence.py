@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from wrcontact.halfspace.rolling.influence import SlipInfluence, corner_displacements
+from wrcontact.halfspace.rolling.contact import SlipInfluence, corner_displacements
 
 SHEAR_MODULUS, POISSON_RATIO = 80e9, 0.28
 

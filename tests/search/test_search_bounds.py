@@ -4,15 +4,12 @@ import numpy as np
 
 import wrcontact
 from data.noisy_profiles import noisy_points
-from tests.helpers.numpy_tables import build_tables
+from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
 from wrcontact.kernel.search import bounds, roll
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
-from wrcontact.methods import Analyn
-from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.profiles.placement import place_rail, readable_wheel
 
 SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)   # [rad]
 PER_CELL = 8                             # samples of the gap in a cell of the search
@@ -23,8 +20,8 @@ def sampled_placements(count, seed, largest_roll):
     the search: tables, inputs, the wheel's place, abscissae, gaps, slope differences and
     whether the rail is below, (n,) each."""
     rng = np.random.default_rng(seed)
-    array = system_tables()
-    tables, work = layout.Tables.at(array), layout.Work.at(np.zeros(layout.WORK_SIZE))
+    tables = layout.Tables.at(tables_of(wrcontact.ContactSystem()))
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
     nodes = np.array([tables.scan.nodes[node].y for node in range(tables.scan.count)])
     share = np.arange(PER_CELL) / PER_CELL
     y = np.append((nodes[:-1, None] + share * np.diff(nodes)[:, None]).ravel(), nodes[-1])
@@ -131,16 +128,6 @@ def test_smallest_gap_of_rough_profiles(tmp_path):
             gap_there = evaluate_table(rail, across[above])[0] - below[above]
             # [m] what a cell of 32 um may hide
             assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)
-
-
-def system_tables():
-    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40,
-                                                        gauge=1.435, gauge_depth=0.014)
-    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5,
-                        contact_modulus=1e11,
-                        methods={"normal_model": layout.MODEL_ANALYN,
-                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE},
-                        resolution=Analyn().resolution)
 
 
 def on_rail(tables, place, y):

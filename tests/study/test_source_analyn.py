@@ -7,8 +7,7 @@ import pytest
 from scipy.special import ellipe, ellipk
 
 from data.hertz import MODULUS
-from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
-from tests.helpers.numpy_profiles import compile_profile
+from tests.helpers.inside import lateral_curvatures
 from tests.helpers.source_study import STUDY
 from wrcontact import ContactSystem
 from wrcontact.study.analyn import corrected, solve_analyn
@@ -76,14 +75,16 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
     """Circle fit and three nodes written twice, by two people."""
     section = STUDY.section(shift)
     nodes = section.equidistant(0.2e-3, 60)
-    for curve, t in ((section.rail, nodes.rail), (section.wheel, nodes.wheel)):
-        table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
+    smooth, rough = (ContactSystem(lateral_curvature=kind) for kind in ("smooth", "rough"))
+    for body, curve, t, sign in (("rail", section.rail, nodes.rail, 1),
+                                 ("wheel", section.wheel, nodes.wheel, -1)):
+        own = rough_curvature(curve.point(t))
         # 31 points along the chord, 61 along the tangent
-        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02,
-                                                                 abs=0.05)
+        wanted = sign * np.interp(t, *lateral_curvatures(smooth, body))
+        assert circle_curvature(curve, t, 3e-3) == pytest.approx(wanted, rel=0.02, abs=0.05)
         # [1/m], not beside a step of the heights
         even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0
-        assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
+        assert np.median(np.abs(own - sign * np.interp(t, *lateral_curvatures(rough, body)))[even]) < 0.01
 
 
 @pytest.mark.parametrize("shift", [6.0, 6.5])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from data.creep_cases import SETS, Model, cases, errors, summary
+from wrcontact.methods import TangentialModel
 
 pytestmark = pytest.mark.machine
 
@@ -40,7 +41,7 @@ def test_older_theories_have_the_errors_they_are_known_for(model, published, nam
     assert summary(found)[0] > STRIPS[name][0]
 
 
-@pytest.mark.parametrize("model", ["fastsim", "fastrip"])
+@pytest.mark.parametrize("model", TangentialModel.family.with_keyword("published_spin"))
 def test_spin_with_the_stiffness_of_longitudinal_creepage_is_closer(model):
     """Over all ellipses, the more the longer they are."""
     for name in ("ellipses", "long_and_short"):

@@ -12,10 +12,8 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import FORCE, LOADS, MODELS, POSES, system
-from tests.helpers.elastic import placed_rail, rail_point_along, rail_slope_along
-from tests.helpers.numpy_profiles import compile_profile
+from tests.helpers.elastic import rail_point_along, rail_slope_along
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.profiles.placement import readable_wheel
 
 MODES = ("rigid", "elastic", "compliant")
 
@@ -81,8 +79,7 @@ def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
     patch, and its rolling radius the wheel's at the abscissa that the attitude gives."""
     shift, yaw, transfer = POSES[pose]
     state = system().evaluate(shift, yaw, FORCE, transfer)
-    table, rail_y = placed_rail()
-    wheel = compile_profile(readable_wheel(system().wheel))
+    wheel, table, rail_y = system().profile_tables()
     c, s, cr, sr = (of(angle) for angle in (yaw, state.roll) for of in (math.cos, math.sin))
     axle = np.array([-s * cr, c * cr, sr])
     centre = np.array([0.0, shift, state.vertical_shift - 0.46])

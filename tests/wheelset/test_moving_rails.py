@@ -9,7 +9,7 @@ import pytest
 import wrcontact
 from data import brute_force
 from tests.helpers import derivatives
-from tests.helpers.mirror import side_signs
+from tests.helpers.surface_witness import assert_positions
 from wrcontact.interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from wrcontact.interface.variables import VARIABLES
 from wrcontact.kernel import layout
@@ -173,13 +173,7 @@ def test_gauge_widening_is_that_of_brute_force(moved, pose):
     sides = (wider, plain) if "left_rail_lateral" in moved else (plain, wider)
     wanted = brute_force.rigid_contact(sides[1], *pose, sides[0])
     found = wrcontact.ContactSystem().evaluate(*pose, 0.0, **moved)
-    # as in test_two_sides.py: printed coefficients leave steps of 1 nm
-    assert found.roll == pytest.approx(wanted.roll, abs=3e-9)
-    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=3e-9)
-    for side in ("left", "right"):
-        mine, theirs = getattr(found, side), getattr(wanted, side)
-        for part in ("x_wheel", "y_wheel", "y_rail", "x_track", "y_track", "z_track"):
-            assert getattr(mine.contact, part) == pytest.approx(getattr(theirs, part), abs=3e-7), (side, part)
+    assert_positions(found, wanted, rail=("y_rail",))
 
 
 @pytest.mark.full
@@ -192,46 +186,7 @@ def test_a_rolled_rail_with_yaw_is_that_of_brute_force():
                      rail_depth=CROWN * (math.cos(roll) - 1.0))
     wanted = brute_force.rigid_contact(rolled, *pose, plain)
     found = wrcontact.ContactSystem().evaluate(*pose, 0.0, right_rail_roll=roll)
-    assert found.roll == pytest.approx(wanted.roll, abs=3e-9)
-    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=3e-9)
-    for side in ("left", "right"):
-        mine, theirs = getattr(found, side), getattr(wanted, side)
-        for part in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track"):
-            assert getattr(mine.contact, part) == pytest.approx(getattr(theirs, part), abs=3e-7), (side, part)
-        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=3e-5)
-
-
-#: Inputs that keep their sign in the mirror.
-KEPT = ("normal_force", "vertical_shift_input", "left.rail_vertical", "right.rail_vertical")
-
-
-def mirrored(row):
-    """Inputs (n,) of the wheelset in the mirror."""
-    names = [one.name for one in VARIABLES[:layout.INPUT_COUNT]]
-    found = dict(zip(names, row))
-    swap = {"left": "right", "right": "left"}
-    there = {f"{swap[name.split('.')[0]]}.{name.split('.')[1]}" if "." in name else name:
-             value if name in KEPT or name.endswith("friction") else -value for name, value in found.items()}
-    return np.array([there[name] for name in names])
-
-
-@pytest.mark.parametrize("name", ["rigid", "elastic", "compliant"])
-def test_in_the_mirror_left_and_right_change_places(name):
-    system, rng = wrcontact.ContactSystem(**METHODS[name]), np.random.default_rng(6)
-    left = slice(layout.OUT_LEFT, layout.OUT_LEFT + layout.SIDE_SIZE)
-    right = slice(layout.OUT_RIGHT, layout.OUT_RIGHT + layout.SIDE_SIZE)
-    for shift, yaw in POSES:
-        moved = {row.keyword: rng.uniform(-1.0, 1.0) * (0.01 if row.unit == "rad" else 1e-3) for row in RAILS}
-        given = height_and_roll(shift, yaw, **moved) if name == "compliant" else {}
-        found = system.evaluate(shift, yaw, 8e4, 0.2, **moved, **given)
-        stepper = system.stepper()
-        stepper.inputs[:] = mirrored(found.inputs)
-        assert stepper.step() == found.status <= Status.UNLOADED
-        for one, other in ((left, right), (right, left)):
-            wanted = side_signs() * stepper.outputs[other]
-            off = np.abs(found.values[one] - wanted)
-            # elastic heights are met to 2e-13 m, rigid ones to 1e-14 m
-            assert (off <= (1e-6 if name == "elastic" else 1e-8) * np.abs(wanted) + 1e-11).all()
+    assert_positions(found, wanted)
 
 
 @pytest.mark.parametrize("name", ["rigid hertz", "elastic", "compliant"])
@@ -246,24 +201,13 @@ def test_derivatives_are_those_of_differences(name, moved):
     row = wrcontact.ContactSystem().evaluate(*pose, 8e4, 0.1, **moved, **given).inputs
     numbers = [layout.IN_LATERAL_SHIFT, layout.IN_YAW]
     numbers += [k for k, one in enumerate(VARIABLES[:layout.INPUT_COUNT]) if ".rail_" in one.name]
-    for number in numbers:
-        status, rates = derivatives.derivative(stepper, row, number)
-        wanted, apart, _ = derivatives.differences(stepper, row, number)
-        size = derivatives.scale(rates, number)
-        clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
-        assert status <= Status.UNLOADED and clear.mean() > 0.6
-        assert np.abs((rates - wanted) / size)[clear].max() < 3 * derivatives.AGREE
+    derivatives.assert_near_differences(stepper, row, numbers, 0.6, 3 * derivatives.AGREE)
 
 
 def test_yaw_that_begins_over_a_rolled_rail_has_a_derivative():
     stepper = wrcontact.ContactSystem(normal_model="hertz").stepper()
     row = wrcontact.ContactSystem().evaluate(1.2e-3, 0.0, 8e4, right_rail_roll=0.005).inputs
-    status, rates = derivatives.derivative(stepper, row, layout.IN_YAW)
-    wanted, apart, _ = derivatives.differences(stepper, row, layout.IN_YAW)
-    size = derivatives.scale(rates, layout.IN_YAW)
-    clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
-    assert status == Status.VALID and clear.mean() > 0.6
-    assert np.abs((rates - wanted) / size)[clear].max() < 3 * derivatives.AGREE
+    derivatives.assert_near_differences(stepper, row, [layout.IN_YAW], 0.6, 3 * derivatives.AGREE)
 
 
 def test_the_step_before_does_not_matter():

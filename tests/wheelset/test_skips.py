@@ -303,9 +303,9 @@ STRIP_BUDGETS = {"trajectory": (98, 2.4, 129, 0, 10.9), "yawed_trajectory": (100
                  "two_point": (115, 2.5, 153, 0, 12)}
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("name", CLASSES)
-@pytest.mark.parametrize("model, budgets", [("analyn", ANALYN_BUDGETS), ("analyn_strip", STRIP_BUDGETS)])
+@pytest.mark.parametrize("model, budgets", [
+    ("analyn", ANALYN_BUDGETS), pytest.param("analyn_strip", STRIP_BUDGETS, marks=pytest.mark.full)])
 def test_work_of_a_pose_is_bounded(model, budgets, name):
     """What speed rests on, counted and not timed."""
     found = cost(model, CLASSES[name])

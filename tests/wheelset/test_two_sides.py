@@ -11,6 +11,8 @@ import wrcontact
 from data import brute_force
 from tests.helpers import derivatives
 from tests.helpers.mirror import side_signs
+from tests.helpers.surface_witness import assert_positions
+from wrcontact.interface.rails import RAILS
 from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.status import Status
@@ -30,8 +32,6 @@ METHODS = {
     "elastic strips": dict(contact_mode="elastic", normal_model="analyn_strip"),
     "compliant": dict(contact_mode="compliant"),
 }
-MIRROR = np.where(np.isin(np.arange(layout.INPUT_COUNT), (layout.IN_NORMAL_FORCE, layout.IN_VERTICAL_SHIFT)),
-                  1.0, -1.0)
 LEFT = slice(layout.OUT_LEFT, layout.OUT_LEFT + layout.SIDE_SIZE)
 RIGHT = slice(layout.OUT_RIGHT, layout.OUT_RIGHT + layout.SIDE_SIZE)
 
@@ -68,15 +68,37 @@ def outputs(rows, **parameters):
     return np.array(found), np.array(status)
 
 
+#: Inputs that keep their sign in the mirror.
+KEPT = ("normal_force", "vertical_shift_input", "left.rail_vertical", "right.rail_vertical")
+
+
+def mirrored(row):
+    """Inputs (n,) of the wheelset in the mirror."""
+    names = [one.name for one in VARIABLES[:layout.INPUT_COUNT]]
+    found = dict(zip(names, row))
+    swap = {"left": "right", "right": "left"}
+    there = {f"{swap[name.split('.')[0]]}.{name.split('.')[1]}" if "." in name else name:
+             value if name in KEPT or name.endswith("friction") else -value for name, value in found.items()}
+    return np.array([there[name] for name in names])
+
+
 @pytest.mark.parametrize("methods", METHODS)
 @pytest.mark.parametrize("sides", ["all", pytest.param("profiles", marks=pytest.mark.full)])
-def test_in_the_mirror_left_and_right_change_places(sides, methods):
+@pytest.mark.parametrize("moved", [0.0, 1.0], ids=["rails at rest", "rails moved"])
+def test_in_the_mirror_left_and_right_change_places(sides, methods, moved):
     """Lateral shift, yaw and roll change their signs, and each side has the outputs of the other."""
     chosen, methods = SIDES[sides], METHODS[methods]
-    poses = rows(chosen, methods.get("contact_mode"))
+    poses, rng = rows(chosen, methods.get("contact_mode")), np.random.default_rng(6)
+    for rail in RAILS:
+        size = moved * (0.01 if rail.unit == "rad" else 1e-3)
+        place = next(k for k, one in enumerate(VARIABLES) if one.name == rail.name)
+        poses[:, place] = rng.uniform(-size, size, len(poses))
     found, status = outputs(poses, **chosen, **methods)
-    there, status_there = outputs(poses * MIRROR, **swapped(chosen), **methods)
-    assert np.array_equal(status, status_there) and (status <= Status.UNLOADED).all()
+    there, status_there = outputs(np.array([mirrored(row) for row in poses]), **swapped(chosen), **methods)
+    assert np.array_equal(status, status_there)
+    valid = status <= Status.UNLOADED
+    assert valid.mean() > (0.5 if moved else 0.99)
+    found, there = found[valid], there[valid]
     # at least the usual size: on a cone the centre of load is nearly zero
     usual = [variable.nominal or 1.0 for variable in VARIABLES[FIRST_OUTPUT:STATUS]]
     size = np.maximum(np.abs(found).max(axis=0), usual)
@@ -143,16 +165,7 @@ def test_rigid_positions_are_those_of_brute_force(case, pose):
     left = replace(brute_force.track(**track), **height, **changed)
     wanted = brute_force.rigid_contact(right, *pose, left)
     found = wrcontact.ContactSystem(**given).evaluate(*pose, 0.0)
-    # printed coefficients leave steps of 1 nm at the joints, which the product has closed
-    assert found.roll == pytest.approx(wanted.roll, abs=3e-9)                                   # [rad]
-    assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=3e-9)               # [m]
-    for side in ("left", "right"):
-        mine, theirs = getattr(found, side), getattr(wanted, side)
-        for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "y_track", "z_track"):
-            # a gap that is off by 1 nm moves the contact by sqrt(2e-9 / 5 m) / 100, 0.2 um
-            assert getattr(mine.contact, name) == pytest.approx(getattr(theirs, name), abs=3e-7), (side, name)
-        assert mine.rolling_radius == pytest.approx(theirs.rolling_radius, abs=1e-7)
-        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=3e-5)
+    assert_positions(found, wanted, rail=("y_rail",))
 
 
 def test_a_larger_left_wheel_lets_the_wheelset_roll_right_side_down():
@@ -190,13 +203,8 @@ def test_derivatives_are_those_of_differences(methods):
     stepper = wrcontact.ContactSystem(**SIDES["all"], **chosen).stepper()
     compliant = chosen.get("contact_mode") == "compliant"
     for row in rows(SIDES["all"], chosen.get("contact_mode"), count=2):
-        for number in derivatives.COMPLIANT_INPUTS if compliant else derivatives.INPUTS:
-            status, rates = derivatives.derivative(stepper, row, number)
-            wanted, apart, _ = derivatives.differences(stepper, row, number)
-            size = derivatives.scale(rates, number)
-            clear = (apart / size <= derivatives.CLEAR) & derivatives.CONTINUOUS
-            assert status <= Status.UNLOADED and clear.mean() > 0.8
-            assert np.abs((rates - wanted) / size)[clear].max() < derivatives.AGREE
+        derivatives.assert_near_differences(
+            stepper, row, derivatives.COMPLIANT_INPUTS if compliant else derivatives.INPUTS, 0.8)
 
 
 def test_the_half_space_sees_both_sides():

@@ -9,8 +9,8 @@ from scipy import ndimage
 from .boxes import around, enlarged, hull, merged, touched_sides
 from .edge import EDGE_PAD, loaded_area, peak_pressure
 from .gradients import constrained_gradients, estimate_penetration
+from .problem import HalfspaceContact
 from .refinement import CELL_LIMIT, area_doubt, changes, estimate_error
-from .solution import HalfspaceContact
 from .window import MINOR_PATCH, PATCH_CELLS
 
 MINOR_CELLS = 5          # over a patch that carries less than MINOR_PATCH, on the first grid

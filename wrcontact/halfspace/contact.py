@@ -24,9 +24,9 @@ Lengths in m, pressures in Pa, forces in N; x along the first axis of every arra
 
 from .blocks import refine_blocks
 from .boxes import are_apart, loaded_boxes, merged
-from .checks import check_load, check_number, checked_domain
 from .flat_gap import FlatGap
 from .missed import missed
+from .one_grid import check_load, check_number, checked_domain
 from .problem import Problem
 from .refinement import refine, solve_window
 

@@ -3,8 +3,7 @@
 import numpy as np
 
 from .boxes import centres
-from .ridge import LOOK, LOOK_SLACK, Ridge
-from .window import dip, find_window
+from .window import LOOK, LOOK_SLACK, Ridge, dip, find_window
 
 
 class FlatGap:

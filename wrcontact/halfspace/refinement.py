@@ -7,7 +7,7 @@ from scipy import ndimage
 
 from .boxes import centres, enlarged, touched_sides
 from .one_grid import solve_grid
-from .solution import HalfspaceContact
+from .problem import HalfspaceContact
 from .window import fit_window
 
 COARSE_CELLS = 24        # per side of the first window

@@ -22,10 +22,36 @@ from .rolling.pressure import Outline
 STATIONS = 201
 
 
-class RollingSolver:
-    """The kernel with the half-space's creep forces, on the arrays of one wheelset.
+class Solver:
+    """What makes steps in Python on the arrays of one wheelset; ``step`` makes one.
 
-    A step in which a patch does not converge has status 3 and leaves the outputs as they are.
+    A step that does not converge has status 3 and leaves the outputs as they are.
+    """
+
+    _answer = None          # the outputs of the last step; None where they do not hold any more
+
+    def _is_known(self):
+        """Whether the inputs are those of the last answer, and nothing else has changed."""
+        return (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
+                and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
+
+    def _keep_answer(self):
+        """Write the outputs in the workspace to those of the step, and keep them."""
+        self._answer = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+        self._outputs[:] = self._answer
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses``
+        each."""
+        for row in range(count):
+            self._inputs[:] = inputs[row]
+            statuses[row] = self.step()
+            if statuses[row] <= Status.UNLOADED:
+                outputs[row] = self._outputs
+
+
+class RollingSolver(Solver):
+    """The kernel with the half-space's creep forces.
 
     Parameters
     ----------
@@ -40,13 +66,10 @@ class RollingSolver:
         self._workspace, self._inputs, self._outputs = workspace, inputs, outputs
         self._kernel = default_kernel().bind(tables, state, workspace, inputs, outputs, left)
         self.compiled = self._kernel.compiled
-        self._rolled = None
 
     def step(self):
         """One step; the status."""
-        known = (self._workspace[layout.WORK_KNOWN] == 1.0 and self._rolled is not None
-                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
-        before = self._outputs.copy()
+        known, before = self._is_known(), self._outputs.copy()
         status = self._kernel.step()
         if status <= Status.UNLOADED:
             work = layout.Work.at(self._workspace)
@@ -56,20 +79,10 @@ class RollingSolver:
                     report_forces(self._sides[1], work)
             except ArithmeticError:
                 self._workspace[layout.WORK_KNOWN] = 0.0
-                self._outputs[:], self._rolled = before, None
+                self._outputs[:], self._answer = before, None
                 return int(Status.NOT_CONVERGED)
-            self._rolled = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
-            self._outputs[:] = self._rolled
+            self._keep_answer()
         return status
-
-    def step_many(self, count, inputs, outputs, statuses):
-        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
-        in ``statuses`` each."""
-        for row in range(count):
-            self._inputs[:] = inputs[row]
-            statuses[row] = self.step()
-            if statuses[row] <= Status.UNLOADED:
-                outputs[row] = self._outputs
 
 
 def rub_patches(sides, work, find):

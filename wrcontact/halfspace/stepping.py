@@ -1,9 +1,15 @@
 """A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel
 is then pressed into its rail (:mod:`pressed_wheel`), and its patches roll there (:mod:`pressed_rolling`).  A
-step takes some tenths of a second, and some seconds with creep forces by the complete theory."""
+step takes some tenths of a second, and some seconds with creep forces by the complete theory; so several
+processes may share many poses."""
 
 import math
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -13,16 +19,19 @@ from ..kernel.wheelset.requested import has_creep_forces, is_requested
 from ..kernel.wheelset.rubbing import move_patches
 from ..progress import tracked
 from ..status import Status
+from ..stepper import Stepper
 from .contact import TOLERANCE
-from .equilibrium import find_equilibrium, stand_of
 from .outputs import fill_side
 from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches
-from .pressed_wheel import Settings, press
-from .rolling_step import report_forces, rub_patches
+from .pressed_wheel import Settings, find_equilibrium, press, stand_of
+from .rolling_step import Solver, report_forces, rub_patches
 from .wheel_on_rail import wheel_on_rail
 
 #: How far above its rail an unloaded wheel of an elastic wheelset is counted [m].
 CLEAR = 1e-9
+CHUNK = 2                # rows that a process takes at a time
+
+_worker = None           # in a worker: its stepper, and the places of the outputs that are wanted
 
 
 def halfspace_solver(tolerance=None, poisson_ratio=None):
@@ -31,10 +40,8 @@ def halfspace_solver(tolerance=None, poisson_ratio=None):
     return partial(HalfspaceSolver, TOLERANCE if tolerance is None else tolerance, poisson_ratio)
 
 
-class HalfspaceSolver:
-    """The half-space model on the arrays of one wheelset.
-
-    A step in which a wheel does not converge has status 3 and leaves the outputs as they are.
+class HalfspaceSolver(Solver):
+    """The half-space model.
 
     Parameters
     ----------
@@ -53,8 +60,7 @@ class HalfspaceSolver:
         self.compiled = self._kernel.compiled
         self._creep = (KernelRolling(self._sides, workspace) if poisson_ratio is None else
                        CompleteRolling(layout.Tables.at(tables).shear_modulus, poisson_ratio))
-        self._pressed = None
-        self._answer, self._status = None, None
+        self._pressed = self._status = None
 
     @property
     def _work(self):
@@ -76,23 +82,9 @@ class HalfspaceSolver:
         except ArithmeticError:
             return int(Status.NOT_CONVERGED)
         if status <= Status.UNLOADED:
-            self._answer = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
-            self._outputs[:], self._status = self._answer, status
+            self._keep_answer()
+            self._status = status
         return status
-
-    def step_many(self, count, inputs, outputs, statuses):
-        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
-        in ``statuses`` each."""
-        for row in range(count):
-            self._inputs[:] = inputs[row]
-            statuses[row] = self.step()
-            if statuses[row] <= Status.UNLOADED:
-                outputs[row] = self._outputs
-
-    def _is_known(self):
-        """Whether the inputs are those of the last answer, and nothing else has changed."""
-        return (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
-                and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
 
     @property
     def _settings(self):
@@ -230,3 +222,51 @@ class HalfspaceSolver:
         pressed = layout.Work.at(workspace)
         self._work.sides, self._work.wheelset = pressed.sides, pressed.wheelset
         return status
+
+
+def shared_parts(tables, solver, rows, places, processes):
+    """Evaluate ``rows`` of inputs (n, inputs) in ``processes``; yields what
+    :meth:`~wrcontact.stepper.Stepper.parts` yields, in the order of the rows and with the same numbers.
+
+    Parameters
+    ----------
+    tables : of a stepper's right and left side, with what is wanted and prescribed.
+    solver : arguments of :func:`~wrcontact.halfspace.stepping.halfspace_solver`.
+    places : of the wanted outputs, None for all.
+
+    Raises
+    ------
+    RuntimeError
+        where the processes cannot start or end early.
+    """
+    parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
+    with TemporaryDirectory() as folder:
+        # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
+        path = Path(folder, "tables.npz")
+        right, left = tables
+        np.savez(path, right=right, **({} if left is right else {"left": left}))
+        pool = ProcessPoolExecutor(min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin,
+                                   (path, solver, places))
+        try:
+            for part, (found, status) in zip(parts, pool.map(_evaluated, [rows[part] for part in parts])):
+                yield part, found, status
+        except BrokenProcessPool:
+            raise RuntimeError(f"processes is {processes}; permitted is more than 1 in a script that makes "
+                               "this call below \"if __name__ == '__main__':\"; a process has ended "
+                               "early") from None
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _begin(path, solver, places):
+    global _worker
+    with np.load(path) as tables:
+        _worker = Stepper(tables["right"], halfspace_solver(*solver), tables.get("left")), places
+
+
+def _evaluated(rows):
+    """Outputs and status of some rows."""
+    stepper, places = _worker
+    outputs, status = np.full((len(rows), len(stepper.outputs)), math.nan), np.empty(len(rows))
+    stepper.step_many(rows, outputs, status)
+    return outputs if places is None else outputs[:, places], status.astype(int)

@@ -1,4 +1,7 @@
-"""Where the patches are: the window that the penetration reaches, and grids that fit to the patches in it."""
+"""Where to look: the window that the load reaches, and the ridge along which surfaces are closest, by which
+patches that a solution has missed are found."""
+
+from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
@@ -6,6 +9,9 @@ from scipy import ndimage
 from .boxes import around, centres, clipped
 from .gradients import estimate_penetration
 
+# samples along and across the domain of the look for places that a solution has missed
+LOOK = 25, 800
+LOOK_SLACK = 0.25        # what a parabola along x finds below its samples is known to this share
 SAMPLES = 48             # per side, of a box in which the patch is sought
 ZOOM_LIMIT = 40
 ZOOM_ENOUGH = 0.5        # a box that shrinks less than this in both directions is the window
@@ -14,6 +20,26 @@ PATCH_CELLS = 20         # over the narrowest patch on the first grid that is fi
 #: A patch that carries less than this share of the load has no say in the cells' size.
 MINOR_PATCH = 0.02
 MARGIN_CELLS = 2         # free cells around the patch
+
+
+@dataclass(frozen=True)
+class Ridge:
+    """The least gap along x at many stations.
+
+    Attributes
+    ----------
+    s : stations (m,), rising [m].
+    x : place of the least gap (m,) [m].
+    low : that gap, at no penetration (m,) [m].
+    spare : how much lower it may be (m,) [m].
+    step : how well the places x are known [m].
+    """
+
+    s: np.ndarray
+    x: np.ndarray
+    low: np.ndarray
+    spare: np.ndarray
+    step: float
 
 
 def find_window(gap_function, problem):

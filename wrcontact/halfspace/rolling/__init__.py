@@ -11,8 +11,14 @@ The equations (R1) ... are those of docs/rolling.md.  Lengths in m, pressures in
 """
 
 from .contact import RollingSolution, contact_of_slip, rigid_slip, rolling_contact
-from .extrapolation import RollingForces, extrapolated, roll_ellipse, roll_outline
-from .patches import outline_of_patch, roll_patch
+from .extrapolation import (
+                            RollingForces,
+                            extrapolated,
+                            outline_of_patch,
+                            roll_ellipse,
+                            roll_outline,
+                            roll_patch,
+)
 from .pressure import Outline, PressureField
 
 __all__ = ["Outline", "PressureField", "RollingForces", "RollingSolution", "contact_of_slip",

@@ -28,8 +28,7 @@ def solve_creep_force(tables: Tables, rolling: Rolling, patch: Patch):
             solve_fastrip(tables, rolling, patch)
         elif tables.tangential == TANGENTIAL_POLACH:
             solve_polach(tables, patch)
-        if tables.tangential != TANGENTIAL_POLACH and not rolling.bare:
-            # Polach's formula has no moment, which belongs to the power of spin
+        if not rolling.bare:
             keep_dissipating(patch)
         if patch.backwards:
             mirror_rolling(patch)

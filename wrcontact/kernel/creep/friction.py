@@ -90,9 +90,10 @@ def is_frictional(friction: float, limit: float) -> bool:
 
 
 def keep_dissipating(patch: Patch):
-    """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has."""
+    """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.  A
+    model that takes the patch for one ellipse has no moment, which is a part of this power."""
     gain = creep_gain(patch)
-    if gain > 0.0 and patch.spin != 0.0:
+    if gain > 0.0 and patch.spin != 0.0 and patch.creep_moment != 0.0:
         reach = patch.half_length
         if reach < patch.half_width:
             reach = patch.half_width

@@ -519,9 +519,8 @@ static inline int64_t creep_force__solve_creep_force(array_double_1d work, array
         {
             polach__solve_polach(work, tables, patch);
         }
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH) && (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0)))
+        if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
         {
-            /* Polach's formula has no moment, which belongs to the power of spin */
             friction__keep_dissipating(work, patch);
         }
         if ((*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) == 1.0)
@@ -1438,7 +1437,9 @@ static inline bool friction__is_frictional(double friction, double limit)
     return (friction >= 0.0) && (friction <= limit);
 }
 
-/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has. */
+/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.  A
+ * model that takes the patch for one ellipse has no moment, which is a part of this power.
+ */
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch)
 {
     double gain;
@@ -1446,7 +1447,7 @@ static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t p
     double most;
     double moment;
     gain = friction__creep_gain(work, patch);
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
     {
         reach = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         if (reach < (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)))

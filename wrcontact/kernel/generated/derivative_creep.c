@@ -901,7 +901,7 @@ static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1
         {
             derivative_polach__solve_polach_t(work, work_t, tables, patch);
         }
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_POLACH) && (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0)))
+        if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
         {
             derivative_friction__keep_dissipating_t(work, work_t, patch);
         }
@@ -2421,7 +2421,7 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
     gain_t = v1_t;
     gain = v1;
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
     {
         reach_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
         reach = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));

@@ -1378,6 +1378,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count);
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);

@@ -1718,7 +1718,8 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
  *
- * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+ * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a branch here; see
+ * ``NormalModel`` in wrcontact/methods/normal.py for its duties.
  *
  * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
@@ -1808,6 +1809,14 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
         strip_contact__strip_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     return 0;
+}
+
+/* Whether the model has a form for the first trials of an equilibrium, a per cent off. */
+static inline bool normal_contact__has_coarse_form(array_double_1d tables)
+{
+    bool result;
+    result = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP;
+    return result;
 }
 
 

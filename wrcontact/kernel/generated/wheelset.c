@@ -616,7 +616,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)((int64_t)((*cspan_at(&right_tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(normal_contact__has_coarse_form(right_tables));
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
         moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));

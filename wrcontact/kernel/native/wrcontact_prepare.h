@@ -1,6 +1,6 @@
 /* What a simulation needs at its start: the kernel's tables from definitions of the profiles and the parameters.
  *
- * generated/prepare_tables.h (setup, report, outcome) and generated/prepare_zones.h (definitions) describe the arrays.
+ * kernel/prepare/tables.py (setup, report, outcome) and kernel/prepare/zones.py (definitions) describe the arrays.
  * The caller owns all memory; nothing is allocated.
  */
 #ifndef WRCONTACT_PREPARE_H

@@ -1,6 +1,7 @@
 """The normal contact of one side, by the model that is chosen: each one fills the patches of the side.
 
-A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a line here.
+A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a branch here; see
+``NormalModel`` in wrcontact/methods/normal.py for its duties.
 
 Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
 """
@@ -8,7 +9,7 @@ Hertz's stands here: one elliptic patch in closed form, with the curvatures at t
 from math import isfinite, pi, sqrt
 
 from ..contact.frame import locate_along_track
-from ..layout import MODEL_ANALYN, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, Tables
+from ..layout import MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, Tables
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from .analyn_contact import analyn_contact
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
@@ -71,3 +72,8 @@ def solve_normal(tables: Tables, contact: Contact, side: SideSearch, force: floa
     else:
         penetration, count, satisfied = strip_contact(tables, contact, side, force, prescribed)
     return penetration, count, satisfied
+
+
+def has_coarse_form(tables: Tables) -> bool:
+    """Whether the model has a form for the first trials of an equilibrium, a per cent off."""
+    return tables.normal_model == MODEL_ANALYN_STRIP

@@ -18,8 +18,9 @@ from math import fabs
 from typing import Final
 
 from ..contact.pressed import limited
-from ..layout import (MODEL_ANALYN_STRIP, NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden,
-                      Supports, Tables, Work, seldom)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables, Work,
+                      seldom)
+from ..normal.normal_contact import has_coarse_form
 from .brackets import bracket_roll
 from .side import side_lever
 from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
@@ -100,7 +101,7 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, 
     method.right = 0.0
     method.move_height = 0.0
     method.move_roll = 0.0
-    work.contact.coarse = right_tables.normal_model == MODEL_ANALYN_STRIP
+    work.contact.coarse = has_coarse_form(right_tables)
     for trial in range(TRIALS):
         moved = fabs(method.move_height) + fabs(method.move_roll)
         work.contact.filling = False

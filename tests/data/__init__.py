@@ -1,1 +1,0 @@
-"""Programs of data/ against each other, Hertz and CONTACT."""

@@ -1,0 +1,92 @@
+"""Directional derivatives of a wheelset that moves and rubs: creepages, damped forces and creep forces,
+against central differences of its steps."""
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tests.helpers.cases import input_row
+from tests.helpers.derivatives import NAMES, NOMINAL, stepped
+from tests.helpers.inside import rates_along
+from wrcontact.interface.variables import BOOLEAN, INPUT, VARIABLES
+from wrcontact.kernel.binding.library import default_kernel
+
+pytestmark = pytest.mark.skipif(not default_kernel().compiled,
+                                reason="the derivatives are those of the compiled library, and none is here")
+INPUTS = [v for v in VARIABLES if v.causality == INPUT]
+STEPS = (1e-5, 1e-4, 1e-3)      # [of an input's nominal value]; one of them is to be met
+CREEPAGES = np.array([".creepage." in name for name in NAMES])
+DAMPED = np.array([name.endswith(("normal_force", "force.y", "force.z", "moment.x")) for name in NAMES])
+#: Shares of stick jump from point to point of a strip, and runs over the outline follow them.
+SMOOTH = np.array([name.endswith((".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z",
+                                  "driving_torque", "tangential.x", "tangential.y", "tangential.moment",
+                                  "friction_power", "saturation", "wear_number")) for name in NAMES])
+MOTION = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
+          "roll_rate": 0.03, "wheel_rate": 54.0, "track_curvature": 2e-3,
+          "left.rail_lateral_velocity": 0.01, "right.rail_vertical_velocity": 0.02,
+          "right.rail_roll_velocity": -0.03}
+RUBBING = {name: value for name, value in MOTION.items() if "rail" not in name} | {
+    "wheel_rate": 54.3, "track_curvature": 1e-3, "left.friction": 0.35, "right.friction": 0.25}
+DAMPING = {"contact_mode": "compliant", "contact_damping": 0.5}
+
+
+def moving_row(parameters, motion, shift, yaw):
+    """Inputs of a pose with ``motion`` by name; a compliant wheelset stands as an elastic one does."""
+    row = input_row(shift, yaw, 0.0, 78.5e3)
+    for place, variable in enumerate(INPUTS):
+        row[place] = motion.get(variable.name, row[place])
+    if parameters.get("contact_mode") == "compliant":
+        stand = wrcontact.ContactSystem(**parameters | {"contact_mode": "elastic"}).evaluate(shift, yaw)
+        row[5:7] = stand.vertical_shift, stand.roll
+    return row
+
+
+def assert_met(stepper, row, of, allowed, floor, left_out=()):
+    """Rates of the outputs ``of`` along every input but those left out, a switch, which has none, and the
+    guess, which does not count, are near one of the differences: to ``allowed`` of the rate, or of ``floor``
+    times the nominal one."""
+    for place, variable in enumerate(INPUTS):
+        if variable.type == BOOLEAN or variable.name in ("roll_guess", *left_out):
+            continue
+        along = np.eye(len(row))[place]
+        assert stepped(stepper, row)[0] == 0
+        rates, off = rates_along(stepper, along), np.inf
+        for step in np.array(STEPS) * variable.nominal:
+            (good, high), (well, low) = (stepped(stepper, row + way * step * along) for way in (1, -1))
+            assert good == well == 0
+            off = np.minimum(off, np.abs(rates - (high - low) / (2 * step)))
+        off = np.where(of, off / np.maximum(np.abs(rates), floor * NOMINAL / variable.nominal), 0.0)
+        assert off.max() < allowed, f"d {NAMES[off.argmax()]} / d {variable.name}: {off.max():.2g}"
+
+
+@pytest.mark.parametrize("shift, yaw", [(1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.01)])
+@pytest.mark.parametrize("parameters, of", [
+    ({"normal_model": "hertz"}, CREEPAGES), ({}, CREEPAGES), ({"contact_mode": "elastic"}, CREEPAGES),
+    (DAMPING, CREEPAGES | DAMPED)], ids=["hertz", "rigid", "elastic", "compliant"])
+def test_derivatives_of_creepages_and_damped_forces(parameters, of, shift, yaw):
+    row = moving_row(parameters, MOTION, shift, yaw)
+    assert_met(wrcontact.ContactSystem(**parameters).stepper(), row, of, 2e-5, 0.02,
+               left_out=("normal_force", "load_transfer"))
+
+
+PARAMETERS = {
+    "rigid": {},
+    "elastic": {"contact_mode": "elastic"},
+    "compliant": DAMPING,
+    "vertical": {"load": "vertical"},
+    "elastic vertical": {"load": "vertical", "contact_mode": "elastic"},
+    "falling friction": {"friction_fall": 0.4, "friction_fall_rate": 0.6, "flange_friction_ratio": 0.5,
+                         "slope_reduction": 0.6, "slope_reduction_rate": 0.6},
+}
+#: Of a derivative's size; points of FASTSIM come to slide one by one, each with a kink,
+#: and there are kinks where a point of the strips passes the edge of the stick zone.
+AGREE = {"polach": 1e-4, "fastsim": 2e-2, "strips": 5e-3}
+
+
+@pytest.mark.parametrize("model", AGREE)
+@pytest.mark.parametrize("case", PARAMETERS)
+def test_derivatives_of_creep_forces(case, model):
+    stepper = wrcontact.ContactSystem(**PARAMETERS[case], tangential_model=model).stepper()
+    for shift, yaw in ((1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.003)):
+        row = moving_row(PARAMETERS[case], RUBBING, shift, yaw)
+        assert_met(stepper, row, SMOOTH, AGREE[model], 0.05)

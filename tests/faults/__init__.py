@@ -1,1 +1,0 @@
-"""Tests of what happens when something around the program fails."""

@@ -1,1 +1,0 @@
-"""What several test files use: named cases, witnesses, and programs that run in processes of their own."""

@@ -1,1 +1,0 @@
-"""Tests of how the wheelset moves, and of the creepages of its patches."""

@@ -1,1 +1,0 @@
-"""Tests of contact patches and their outlines."""

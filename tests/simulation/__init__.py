@@ -1,1 +1,0 @@
-"""Tests of the life cycle of a simulated wheelset."""

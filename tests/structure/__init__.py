@@ -1,1 +1,0 @@
-"""Tests of the structure of the code, and tests of the tests."""

@@ -1,1 +1,0 @@
-"""Models of creep forces in the kernel."""

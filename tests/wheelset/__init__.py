@@ -1,1 +1,0 @@
-"""Tests of the equilibrium of the wheelset and what a step computes."""
