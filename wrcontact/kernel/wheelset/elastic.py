@@ -18,8 +18,8 @@ from math import fabs
 from typing import Final
 
 from ..contact.pressed import limited
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables, Work,
-                      seldom)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables,
+                      Work, seldom)
 from ..normal.normal_contact import has_coarse_form
 from .brackets import bracket_roll
 from .side import side_lever
