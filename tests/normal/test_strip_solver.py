@@ -14,7 +14,7 @@ from wrcontact.kernel import layout
 from wrcontact.kernel.binding.fixed_tables import hertz_table, influence, influence_table, mean_influence
 from wrcontact.kernel.layout import INFLUENCE_MAP, InfluenceTable
 from wrcontact.kernel.normal import strip_contact
-from wrcontact.kernel.normal.coefficients import STEEPEST, hertz_coefficients, skewed_coefficients
+from wrcontact.kernel.normal.coefficients import STEEPEST_SLANT, hertz_coefficients, skewed_coefficients
 from wrcontact.kernel.normal.strip_patches import fill_from_strips
 from wrcontact.kernel.normal.strip_pressures import (
     apartness,
@@ -183,7 +183,7 @@ def skewed_hertz(A, B, slant):
 
 SKEWED = [(A, B, slant) for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 60.0))
           for slant in (-0.3, 0.01, 0.1, 0.3)
-          if A * slant**2 <= STEEPEST * B]
+          if A * slant**2 <= STEEPEST_SLANT * B]
 
 
 @pytest.mark.parametrize("A, B, slant", SKEWED)
@@ -201,7 +201,7 @@ def test_no_slant_is_upright(A, B):
 
 
 def test_a_steep_slant_counts_as_the_steepest_permitted():
-    at_limit = skewed_coefficients(TABLE, 1.0, 0.02, math.sqrt(STEEPEST * 0.02))
+    at_limit = skewed_coefficients(TABLE, 1.0, 0.02, math.sqrt(STEEPEST_SLANT * 0.02))
     np.testing.assert_allclose(skewed_coefficients(TABLE, 1.0, 0.02, 3.0), at_limit, rtol=1e-12)
 
 

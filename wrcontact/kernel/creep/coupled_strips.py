@@ -39,7 +39,7 @@ from typing import Final
 
 from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip, Tables
 from .correction import correct_force
-from .march import march_strips, open_marches, set_pushes, set_stick
+from .march import NOTHING, march_strips, open_marches, set_pushes, set_stick
 from .stiffness import find_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
@@ -48,11 +48,9 @@ LATER: Final[float] = 0.08
 #: Share of the strip over which its stick zone fades.
 FADE: Final[float] = 0.1
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
-FLOOR: Final[float] = 0.3
+SPREAD_FLOOR: Final[float] = 0.3
 FLOOR_RATIO: Final[float] = 4.5
 FLOOR_TWIST: Final[float] = 1.5
-#: In place of no slip at all.
-NOTHING: Final[float] = 1e-300
 
 
 def find_stick_zone(march: RollingMarch, width: float, ratio: float):
@@ -94,7 +92,7 @@ def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
     long = ratio / FLOOR_RATIO
     if long > 1.0:
         long = 1.0
-    floor = FLOOR * long * twist * twist * march.half_length
+    floor = SPREAD_FLOOR * long * twist * twist * march.half_length
     return over_width * over_width / 6.0 + floor * floor
 
 

@@ -20,8 +20,8 @@ from ..layout import ROLLING_STRIP_LIMIT, RULE_ELLIPSE, Patch, SolvedStrips
 #: cos(pi / 16), for ROLLING_STRIP_LIMIT strips.
 COSINE: Final[float] = 0.98078528040323044913
 #: Patches shorter or longer than this, length over width, count as so short or so long.
-SHORTEST: Final[float] = 0.05
-LONGEST: Final[float] = 40.0
+SHORTEST_PATCH: Final[float] = 0.05
+LONGEST_PATCH: Final[float] = 40.0
 
 
 def cut_patch(patch: Patch, strips: SolvedStrips):
@@ -61,10 +61,10 @@ def describe_ellipse(patch: Patch):
     patch.half_width = 0.0
     if totals.width > 0.0 and totals.max_half_length > 0.0:
         ratio = 2.0 * totals.max_half_length / totals.width
-        if ratio < SHORTEST:
-            ratio = SHORTEST
-        if ratio > LONGEST:
-            ratio = LONGEST
+        if ratio < SHORTEST_PATCH:
+            ratio = SHORTEST_PATCH
+        if ratio > LONGEST_PATCH:
+            ratio = LONGEST_PATCH
         patch.half_length = sqrt(totals.area / pi * ratio)
         patch.half_width = sqrt(totals.area / pi / ratio)
 

@@ -44,6 +44,7 @@ SHARE: Final[float] = 0.65
 SHARE_RATIO: Final[float] = 1.2
 #: Directions of tractions below this share of the bound fade; eq. (M5).
 SOFT: Final[float] = 0.05
+#: In place of no slip at all.
 NOTHING: Final[float] = 1e-300
 
 

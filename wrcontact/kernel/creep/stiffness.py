@@ -29,7 +29,7 @@ from .tractions import shape_place, shape_value
 #: Pairs of strips are at least as long as this share of the ellipse.
 SHORT: Final[float] = 1e-3
 #: Stiffnesses are at least this share of their mean.
-SOFT: Final[float] = 0.02
+SOFTEST: Final[float] = 0.02
 #: In place of no distance, whose roots have no slope.
 NEAREST: Final[float] = 1e-12
 #: ln(a/b) from where on spin's stiffness is no longer that of each strip, and where it is the mean.
@@ -173,9 +173,9 @@ def spread_turning(blocks: RollingBlocks, share: float):
     for i in range(BLOCK_COUNT):
         block = blocks[i]
         block.turning += share * (mean / total - block.turning)
-        block.turning = not_below(block.turning, SOFT * mean / total)
-        block.along = not_below(block.along, SOFT * along / total)
-        block.across = not_below(block.across, SOFT * across / total)
+        block.turning = not_below(block.turning, SOFTEST * mean / total)
+        block.along = not_below(block.along, SOFTEST * along / total)
+        block.across = not_below(block.across, SOFTEST * across / total)
 
 
 def not_below(value: float, least: float):

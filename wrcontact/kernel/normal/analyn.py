@@ -29,7 +29,7 @@ FORCE_ITERATIONS: Final[int] = 60
 #: The force is satisfied to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
 #: Change of the load, relative, that tells the slope; and how far that may be from the slope's own estimate.
-ROUNDING: Final[float] = 1e-10
+LOAD_ROUNDING: Final[float] = 1e-10
 SLOPE_ERROR: Final[float] = 0.1
 #: Missed by less, relative, the force is satisfied by one more move, Newton's method squaring what is missed.
 NEARLY_SHARP: Final[float] = 1e-9
@@ -162,7 +162,7 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
         regions[0].solve_count += 1.0
         total = load_regions(regions, nodes, count)
         residual, slope, rest = penetration_residuals(tables, regions, count, penetration)
-        if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
+        if count == 1 and iteration > 0 and fabs(total - total_before) > LOAD_ROUNDING * force:
             # the change of the load that the slopes of both ends predict for the last move, against the real
             # one
             share = (total - total_before) / (0.5 * (slope_before + slope) * move)

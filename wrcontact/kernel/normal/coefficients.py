@@ -34,7 +34,7 @@ from ..surface.tables import table_cell
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
-STEEPEST: Final[float] = 0.3
+STEEPEST_SLANT: Final[float] = 0.3
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case
 #: on treads.
 FLOOR: Final[float] = 0.02
@@ -68,10 +68,10 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
     pressure.  Exact for constant curvatures.
 
     Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
-    a patch's edge: A slant^2 counts as STEEPEST B at most.
+    a patch's edge: A slant^2 counts as STEEPEST_SLANT B at most.
     """
-    if A * slant * slant > STEEPEST * B:
-        slant = sqrt(STEEPEST * B / A)
+    if A * slant * slant > STEEPEST_SLANT * B:
+        slant = sqrt(STEEPEST_SLANT * B / A)
     cross = A * slant
     diagonal = B + cross * slant
     half = 0.5 * (A - diagonal)
@@ -93,8 +93,8 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
 def middle_slant(table: HertzTable, A: float, B: float, slant: float):
     """dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
     ``slant``; steep ones are taken as there."""
-    if A * slant * slant > STEEPEST * B:
-        slant = sqrt(STEEPEST * B / A) * slant / fabs(slant)
+    if A * slant * slant > STEEPEST_SLANT * B:
+        slant = sqrt(STEEPEST_SLANT * B / A) * slant / fabs(slant)
     cross = A * slant
     diagonal = B + cross * slant
     half = 0.5 * (A - diagonal)

@@ -41,7 +41,7 @@ SPREAD: Final[float] = 1.25
 #: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
 #: nearly closes.
 NARROWEST: Final[float] = 0.01
-WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
+NODE_ROOM: Final[float] = 110.0         # nodes that a region has room for on one side
 
 
 def window_nodes(tables: Tables):
@@ -267,8 +267,8 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     if mean < least:
         mean = least
     spacing = mean / tables.nodes
-    if widest * enlarge > WIDEST * spacing:
-        spacing = widest * enlarge / WIDEST
+    if widest * enlarge > NODE_ROOM * spacing:
+        spacing = widest * enlarge / NODE_ROOM
     return spacing
 
 

@@ -40,7 +40,7 @@ OWN_SHALLOW: Final[float] = 0.25
 FIRST_SWEEPS: Final[int] = 1
 #: Where the first strips show that the wheel stands deeper than this many times its estimate, it is sunk
 #: anew, at most so often: the patch may reach farther than its strips do.
-DEEPER: Final[float] = 1.15
+SUNK_DEEPER: Final[float] = 1.15
 SINKINGS: Final[int] = 4
 
 
@@ -166,7 +166,7 @@ def strip_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
                 return estimate, 0, False
             count = open_zones(tables, contact)
             penetration, satisfied = first_layout(tables, contact, count, force, by_penetration)
-            if not satisfied or penetration < DEEPER * estimate:
+            if not satisfied or penetration < SUNK_DEEPER * estimate:
                 break
         if satisfied and not by_penetration:
             sink_deeper(contact.frame, contact.frames, contact.regions, count, penetration)

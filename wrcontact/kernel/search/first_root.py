@@ -25,10 +25,10 @@ from .smallest_gap import search_side
 
 #: Roots of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
 APART: Final[float] = 1e-13
-TRIALS: Final[int] = 300
+ROOT_TRIALS: Final[int] = 300
 #: How a lever changes with roll and yaw, as shares of what slopes change at first order [-].
-TURNED_SHARE: Final[float] = 1.1
-YAWED_SHARE: Final[float] = 1.2
+LEVER_TURNED_SHARE: Final[float] = 1.1
+LEVER_YAWED_SHARE: Final[float] = 1.2
 #: A rolled rail sees the wheelset rolled the other way: shares of its roll and of the wheel's radius by which
 #: that changes levers and places at most [-].
 LEANING_SHARE: Final[float] = 1.1
@@ -74,7 +74,7 @@ def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, 
 
 def lever_per_roll(steep: float, radius: float, arm: float):
     """How fast a lever changes with the roll at most [m], where profiles are as steep as ``steep`` [-]."""
-    return TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
+    return LEVER_TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
 
 
 def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
@@ -85,7 +85,7 @@ def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
     radius = tables.radius
     arm = tables.arm
     steep = fabs(lever + arm) / radius
-    yawed = YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
+    yawed = LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
     return lever + lever_per_roll(steep, radius, arm) * fabs(roll) + yawed
 
 
@@ -293,7 +293,7 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
                 roll, status = root_before(left_tables, right_tables, sides, near.roll, middle, sign)
                 note_root(trials.far[0], sides, roll)
         trial += 1
-        if trial == TRIALS or end >= TRIAL_LIMIT - 2:
+        if trial == ROOT_TRIALS or end >= TRIAL_LIMIT - 2:
             status = NOT_CONVERGED
     if status == VALID:
         turn_both(sides, roll)

@@ -40,7 +40,7 @@ NOT_LAST: Final[float] = 1e-10
 #: about as much off.
 COARSE: Final[float] = 2e-6
 #: Longest move of a wheel in one trial [m].
-LONGEST: Final[float] = 2e-4
+LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
 #: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
@@ -83,7 +83,7 @@ def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
     move = 0.0
     if lever_left + lever_right < -LEAST_LEVER:
         move = (right.approach - left.approach) / -(lever_left + lever_right)
-    move = limited(move, LONGEST / right_tables.arm)
+    move = limited(move, LONGEST_MOVE / right_tables.arm)
     # in one order for a wheelset and its mirror image
     height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move)
                                          + (right.approach + lever_right * move))
@@ -135,8 +135,8 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, 
             # the same place again, with patches, or with the smaller gap that was found
             method.move_height = 0.0
             method.move_roll = 0.0
-        method.move_height = limited(method.move_height, LONGEST)
-        method.move_roll = limited(method.move_roll, LONGEST)
+        method.move_height = limited(method.move_height, LONGEST_MOVE)
+        method.move_roll = limited(method.move_roll, LONGEST_MOVE)
         height += method.move_height
         roll += method.move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
