@@ -115,10 +115,7 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
             slope += bend * move
             relative_kappa = wheel_kappa * sqrt(steep) - kappa
             return y, overlap, rise, steep * relative_kappa, z, slope, bend, True
-        if move > LINE_STEP:
-            move = LINE_STEP
-        if move < -LINE_STEP:
-            move = -LINE_STEP
+        move = max(min(move, LINE_STEP), -LINE_STEP)
         y += move
         if not (y >= wheel.start and y <= wheel.stop):
             return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
@@ -138,10 +135,8 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
         wheel = tables.wheel
         low = y - blur
         high = y + blur
-        if low < wheel.start:
-            low = wheel.start
-        if high > wheel.stop:
-            high = wheel.stop
+        low = max(low, wheel.start)
+        high = min(high, wheel.stop)
         z, low_slope = height_slope(wheel, low)
         z, high_slope = height_slope(wheel, high)
         bend = (high_slope - low_slope) / (high - low)
@@ -182,10 +177,7 @@ def pressed_gap(tables: Tables, frame: Frame, station: float):
 @seldom
 def limited(step: float, limit: float):
     """``step``, no longer than ``limit`` either way."""
-    if step > limit:
-        step = limit
-    if step < -limit:
-        step = -limit
+    step = max(min(step, limit), -limit)
     return step
 
 

@@ -39,9 +39,7 @@ def width_limit(region: Region, direction: float):
 
 def width_tolerance(estimate: float):
     """Tolerance of the traces [m] for an estimated half-width [m]."""
-    tolerance = TRACE_OF_WIDTH * estimate
-    if tolerance > WIDTH_TRACE:
-        tolerance = WIDTH_TRACE
+    tolerance = min(TRACE_OF_WIDTH * estimate, WIDTH_TRACE)
     return tolerance
 
 
@@ -69,8 +67,7 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, dir
     if frame.pressed:
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
-        if width > limit:
-            width = limit
+        width = min(width, limit)
         gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
                                                 tolerance)
         if gap >= NO_GAP:
@@ -110,11 +107,7 @@ def measure_widths(tables: Tables, contact: Contact, region: Region, local_penet
     """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
     both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
-    bend = region.bend
-    if bend < LEAST_BEND * region.curvature:
-        bend = LEAST_BEND * region.curvature
-    if bend > MOST_BEND * region.curvature:
-        bend = MOST_BEND * region.curvature
+    bend = min(max(region.bend, LEAST_BEND * region.curvature), MOST_BEND * region.curvature)
     low = sqrt(2.0 * local_penetration / bend)
     high = low
     if region.width_penetration > 0.0:
@@ -148,8 +141,6 @@ def side_curvature(reached: float, own: float, mean: float):
     enlarged where that side is the narrower, up to NARROWER times."""
     curvature = 0.0
     if own > 0.0:
-        ratio = mean / own
-        if ratio > NARROWER:
-            ratio = NARROWER
+        ratio = min(mean / own, NARROWER)
         curvature = reached / (own * own) * ratio * ratio
     return curvature

@@ -68,8 +68,7 @@ def find_stick_zone(march: RollingMarch, width: float, ratio: float):
     v *= share
     k *= share
     depth, weight = slip_depth(u * u + share * share * spread, v, k, a)
-    if first_weight < weight:
-        weight = first_weight
+    weight = min(weight, first_weight)
     march.depth = a
     march.weight = 0.0
     march.twist = k
@@ -86,12 +85,8 @@ def find_stick_zone(march: RollingMarch, width: float, ratio: float):
 def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
     """s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m."""
     over_width = march.along * march.spin * scale
-    twist = fabs(k)
-    if twist > FLOOR_TWIST:
-        twist = FLOOR_TWIST
-    long = ratio / FLOOR_RATIO
-    if long > 1.0:
-        long = 1.0
+    twist = min(fabs(k), FLOOR_TWIST)
+    long = min(ratio / FLOOR_RATIO, 1.0)
     floor = SPREAD_FLOOR * long * twist * twist * march.half_length
     return over_width * over_width / 6.0 + floor * floor
 
@@ -215,8 +210,7 @@ def finish_marches(rolling: Rolling, patch: Patch):
         strip = patch.strips[i]
         unit = bound_rate(patch, strip) * strip.half_length
         square = marches.largest[i] * unit * unit
-        if square > largest:
-            largest = square
+        largest = max(largest, square)
         if unit > 0.0:
             unit *= point_weight(strip)
             add_strip(patch, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],

@@ -60,11 +60,7 @@ def describe_ellipse(patch: Patch):
     patch.half_length = 0.0
     patch.half_width = 0.0
     if totals.width > 0.0 and totals.max_half_length > 0.0:
-        ratio = 2.0 * totals.max_half_length / totals.width
-        if ratio < SHORTEST_PATCH:
-            ratio = SHORTEST_PATCH
-        if ratio > LONGEST_PATCH:
-            ratio = LONGEST_PATCH
+        ratio = min(max(2.0 * totals.max_half_length / totals.width, SHORTEST_PATCH), LONGEST_PATCH)
         patch.half_length = sqrt(totals.area / pi * ratio)
         patch.half_width = sqrt(totals.area / pi / ratio)
 

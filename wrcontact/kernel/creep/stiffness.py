@@ -112,9 +112,7 @@ def reach_beside(table: RollingTable, rolling: Rolling, i: int, j: int, near: fl
 def reaches(table: RollingTable, distance: float):
     """S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length, which is not
     negative."""
-    place = REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + NEAREST))
-    if not place < float(REACH_CELLS):
-        place = float(REACH_CELLS)
+    place = min(float(REACH_CELLS), REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + NEAREST)))
     cell = int(place)
     u = place - float(cell)
     at = REACH_ROW * cell
@@ -149,11 +147,7 @@ def solve_blocks(equations: BlockMatrix):
 
 def mean_share(ratio: float):
     """How much the mean counts in spin's stiffness, by a/b."""
-    share = (log(ratio) - OWN_UNTIL) / (MEAN_FROM - OWN_UNTIL)
-    if share < 0.0:
-        share = 0.0
-    if share > 1.0:
-        share = 1.0
+    share = min(max((log(ratio) - OWN_UNTIL) / (MEAN_FROM - OWN_UNTIL), 0.0), 1.0)
     return share
 
 
@@ -180,8 +174,7 @@ def spread_turning(blocks: RollingBlocks, share: float):
 
 def not_below(value: float, least: float):
     """The larger of both."""
-    if value < least:
-        value = least
+    value = max(value, least)
     return value
 
 

@@ -86,14 +86,7 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, 
 {
     int64_t profile;
     profile = curves__curve_profile(tables, curve);
-    if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
-    {
-        u = (*cspan_at(&tables, profile + layout__PROFILE_START));
-    }
-    if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
-    {
-        u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-    }
+    u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
     return u;
 }
 
@@ -583,11 +576,7 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        lower = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-        if (lower > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))
-        {
-            lower = (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH));
-        }
+        lower = double_min(2, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)));
         if ((depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth) || (lower - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__LEAST_HUMP))
         {
             less = entry;
@@ -675,15 +664,7 @@ static inline int64_t deep_points__follow_saddle(array_double_1d work, array_dou
     double depth;
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
-    reach = deep_points__FOLLOWED;
-    if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
-    {
-        reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    }
-    if ((*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) < reach)
-    {
-        reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    }
+    reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
     pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
     if (!turned)
     {
@@ -1716,14 +1697,7 @@ static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* 
             (*result_7_0001) = 1;
             return 0;
         }
-        if (move > pressed__LINE_STEP)
-        {
-            move = pressed__LINE_STEP;
-        }
-        if (move < -pressed__LINE_STEP)
-        {
-            move = -pressed__LINE_STEP;
-        }
+        move = double_max(2, double_min(2, move, pressed__LINE_STEP), -pressed__LINE_STEP);
         y += move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
@@ -1770,14 +1744,8 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
         wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
         low = y - blur;
         high = y + blur;
-        if (low < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-        {
-            low = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        }
-        if (high > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-        {
-            high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        }
+        low = double_max(2, low, (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+        high = double_min(2, high, (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
         tables__height_slope(&z, &low_slope, tables, wheel, low);
         tables__height_slope(&z, &high_slope, tables, wheel, high);
         bend = (high_slope - low_slope) / (high - low);
@@ -1836,14 +1804,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
 /* ``step``, no longer than ``limit`` either way. */
 static OUT_OF_LINE double pressed__limited(double step, double limit)
 {
-    if (step > limit)
-    {
-        step = limit;
-    }
-    if (step < -limit)
-    {
-        step = -limit;
-    }
+    step = double_max(2, double_min(2, step, limit), -limit);
     return step;
 }
 
@@ -2347,14 +2308,7 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
-        {
-            u = (*cspan_at(&tables, profile + layout__PROFILE_START));
-        }
-        if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
-        {
-            u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-        }
+        u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
         tables__height_slope_bend(&height, &slope, &bend, tables, profile, u);
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
@@ -2469,14 +2423,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     outline_rate = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-        {
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        }
-        if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-        {
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        }
+        y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
         across = y_track - left;
@@ -2530,11 +2477,7 @@ static inline double widths__width_limit(array_double_1d work, int64_t region, d
 static inline double widths__width_tolerance(double estimate)
 {
     double tolerance;
-    tolerance = widths__TRACE_OF_WIDTH * estimate;
-    if (tolerance > widths__WIDTH_TRACE)
-    {
-        tolerance = widths__WIDTH_TRACE;
-    }
+    tolerance = double_min(2, widths__TRACE_OF_WIDTH * estimate, widths__WIDTH_TRACE);
     return tolerance;
 }
 
@@ -2585,10 +2528,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
     }
     for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
-        if (width > limit)
-        {
-            width = limit;
-        }
+        width = double_min(2, width, limit);
         separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
@@ -2658,15 +2598,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
     double start;
     bool yawed;
     /* the first guess: the gap's own second derivative, as far as it is a usual one */
-    bend = (*cspan_at(&work, region + layout__REGION_BEND));
-    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
+    bend = double_min(2, double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE))), widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     low = sqrt(2.0 * local_penetration / bend);
     high = low;
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
@@ -2716,11 +2648,7 @@ static inline double widths__side_curvature(double reached, double own, double m
     curvature = 0.0;
     if (own > 0.0)
     {
-        ratio = mean / own;
-        if (ratio > widths__NARROWER)
-        {
-            ratio = widths__NARROWER;
-        }
+        ratio = double_min(2, mean / own, widths__NARROWER);
         curvature = reached / (own * own) * ratio * ratio;
     }
     return curvature;

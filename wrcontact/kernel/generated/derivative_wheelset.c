@@ -48,6 +48,8 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
     int64_t patch;
     double v1;
     double v1_t;
+    double v2;
+    double v2_t;
     double factor_t;
     double factor;
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
@@ -55,13 +57,15 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        factor_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
-        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
-        if (factor < 0.0)
+        v2 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
+        v2_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
+        if (0.0 > v2)
         {
-            factor_t = 0.0;
-            factor = 0.0;
+            v2 = 0.0;
+            v2_t = 0.0;
         }
+        factor_t = v2_t;
+        factor = v2;
         derivative_compliant__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
     derivative_filling__total_patches_t(work, work_t, side);
@@ -781,10 +785,7 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_table
         derivative_requested__side_force_t(&v4, &v4_t, work, work_t, INT64_C(1));
         n3 = derivative_side__solve_side_t(right_tables, work, work_t, INT64_C(1), v4, v4_t);
         outcome = n3;
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }
@@ -1490,18 +1491,28 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
 /* Derivative of ``permitted_approach``. */
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, double* approach_t, array_double_1d work, array_double_1d work_t, int64_t support, int64_t side, double height, double height_t)
 {
-    (*approach_t) = height_t - (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
-    (*approach) = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if ((*approach) < trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH)))
+    double v1;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    v1 = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
+    v2 = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
+    v2_t = height_t - (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
+    if (v1 > v2)
     {
-        (*approach_t) = trial__SHALLOWEST * (*cspan_at(&work_t, support + layout__SUPPORT_APPROACH));
-        (*approach) = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
+        v2 = v1;
+        v2_t = trial__SHALLOWEST * (*cspan_at(&work_t, support + layout__SUPPORT_APPROACH));
     }
-    if ((*approach) > trial__DEEPEST)
+    v3 = v2;
+    v3_t = v2_t;
+    if (trial__DEEPEST < v3)
     {
-        (*approach_t) = 0.0;
-        (*approach) = trial__DEEPEST;
+        v3 = trial__DEEPEST;
+        v3_t = 0.0;
     }
+    (*approach_t) = v3_t;
+    (*approach) = v3;
     return 0;
 }
 

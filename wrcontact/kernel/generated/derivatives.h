@@ -28,9 +28,9 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
 static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
 static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
-static inline int64_t derivative_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
+static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
 static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
-static inline int64_t derivative_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
+static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
 static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* derivative_compliant.py */
@@ -129,7 +129,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
 /* derivative_fastsim.py */
 static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, double* result_1, double* v9, double* result_3, double* v15, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_fastsim__strip_push_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double along, double along_t, double turning, double turning_t);
-static inline int64_t derivative_fastsim__march_strip_t(double* v11, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t);
+static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t);
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_filling.py */
@@ -377,7 +377,7 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
 /* derivative_stiffness.py */
 static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double u, double u_t);
-static inline int64_t derivative_stiffness__reaches_t(double* v4, double* v4_t, double* v5, double* v5_t, double* v6, double* v6_t, array_double_1d tables, int64_t table, double distance, double distance_t);
+static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t);
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t j, double near, double near_t, double far, double far_t);
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
 static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations);
@@ -445,7 +445,7 @@ static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double*
 static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
 static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
 static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
+static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
 static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed);
 static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed);

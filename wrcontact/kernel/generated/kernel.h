@@ -1024,9 +1024,9 @@ static inline bool bounds__only_rises_or_falls(double least, double most, double
 
 /* search/first_root.py */
 static const double first_root__APART = 1e-13;
-static const int64_t first_root__TRIALS = INT64_C(300);
-static const double first_root__TURNED_SHARE = 1.1;
-static const double first_root__YAWED_SHARE = 1.2;
+static const int64_t first_root__ROOT_TRIALS = INT64_C(300);
+static const double first_root__LEVER_TURNED_SHARE = 1.1;
+static const double first_root__LEVER_YAWED_SHARE = 1.2;
 static const double first_root__LEANING_SHARE = 1.1;
 static const double first_root__FASTER = 1.5;
 static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
@@ -1281,7 +1281,7 @@ static const double analyn__ELONGATED = 0.3;
 static const double analyn__INCLINED = 0.9659258262890683;
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
-static const double analyn__ROUNDING = 1e-10;
+static const double analyn__LOAD_ROUNDING = 1e-10;
 static const double analyn__SLOPE_ERROR = 0.1;
 static const double analyn__NEARLY_SHARP = 1e-09;
 static const double analyn__NEARLY = 0.001;
@@ -1311,7 +1311,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
 
 /* normal/coefficients.py */
 static const double coefficients__TILTED = 1e-12;
-static const double coefficients__STEEPEST = 0.3;
+static const double coefficients__STEEPEST_SLANT = 0.3;
 static const double coefficients__FLOOR = 0.02;
 static const double coefficients__WINDOW_FLOOR = 0.05;
 static const double coefficients__GROWTH = 0.12;
@@ -1356,7 +1356,7 @@ static const double nodes__MEASURED = 0.9;
 static const double nodes__COVER = 1.1;
 static const double nodes__SPREAD = 1.25;
 static const double nodes__NARROWEST = 0.01;
-static const double nodes__WIDEST = 110.0;
+static const double nodes__NODE_ROOM = 110.0;
 static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
@@ -1393,7 +1393,7 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
 static const double strip_contact__SHALLOW = 0.03;
 static const double strip_contact__OWN_SHALLOW = 0.25;
 static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(1);
-static const double strip_contact__DEEPER = 1.15;
+static const double strip_contact__SUNK_DEEPER = 1.15;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
 static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest);
 static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest);
@@ -1526,10 +1526,9 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
 /* creep/coupled_strips.py */
 static const double coupled_strips__LATER = 0.08;
 static const double coupled_strips__FADE = 0.1;
-static const double coupled_strips__FLOOR = 0.3;
+static const double coupled_strips__SPREAD_FLOOR = 0.3;
 static const double coupled_strips__FLOOR_RATIO = 4.5;
 static const double coupled_strips__FLOOR_TWIST = 1.5;
-static const double coupled_strips__NOTHING = 1e-300;
 static inline double coupled_strips__spread_square(array_double_1d work, double scale, double k, double ratio);
 static inline double coupled_strips__smooth_step(double z);
 static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
@@ -1557,8 +1556,8 @@ static inline double creepage__approach_rate(array_double_1d work, int64_t motio
 
 /* creep/cut.py */
 static const double cut__COSINE = 0.9807852804032304;
-static const double cut__SHORTEST = 0.05;
-static const double cut__LONGEST = 40.0;
+static const double cut__SHORTEST_PATCH = 0.05;
+static const double cut__LONGEST_PATCH = 40.0;
 static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
 static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
 static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
@@ -1644,7 +1643,7 @@ static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d
 
 /* creep/stiffness.py */
 static const double stiffness__SHORT = 0.001;
-static const double stiffness__SOFT = 0.02;
+static const double stiffness__SOFTEST = 0.02;
 static const double stiffness__NEAREST = 1e-12;
 static const double stiffness__OWN_UNTIL = 0.4054651081081644;
 static const double stiffness__MEAN_FROM = 1.0986122886681098;
@@ -1703,7 +1702,7 @@ static const double elastic__ELASTIC_SHARP = 1e-13;
 static const double elastic__UNBALANCED = 1e-09;
 static const double elastic__NOT_LAST = 1e-10;
 static const double elastic__COARSE = 2e-06;
-static const double elastic__LONGEST = 0.0002;
+static const double elastic__LONGEST_MOVE = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__LEAST_LEVER = 0.01;
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
@@ -1727,7 +1726,7 @@ static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d
 static const int64_t leaning__MEETINGS = INT64_C(80);
 static const double leaning__SECANTS = 10.0;
 static const double leaning__NEARER = 0.5;
-static const double leaning__FARTHEST = 0.004;
+static const double leaning__ROOT_WITHIN = 0.004;
 static const double leaning__BESIDE = 1e-09;
 static const double leaning__UNKNOWN = 1.0;
 static const double leaning__RIGID_MET = 1e-14;

@@ -67,11 +67,7 @@ static inline double analyn__planes_cosine(array_double_1d work, int64_t one, in
     cosine = 1.0;
     if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
-        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if (cosine < 0.0)
-        {
-            cosine = 0.0;
-        }
+        cosine = double_max(2, (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)), 0.0);
     }
     return cosine;
 }
@@ -85,14 +81,7 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t region,
     {
         reach = ((*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW))) / (*cspan_at(&work, region + layout__REGION_SPACING)) + (double)(k);
     }
-    if (reach < stop)
-    {
-        stop = reach;
-    }
-    if (stop < 0.0)
-    {
-        stop = 0.0;
-    }
+    stop = double_max(2, double_min(2, stop, reach), 0.0);
     return stop;
 }
 
@@ -225,7 +214,7 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(work, count);
         analyn__penetration_residuals(&residual, &slope, &rest, work, tables, count, penetration);
-        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
+        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__LOAD_ROUNDING * force))
         {
             /* the change of the load that the slopes of both ends predict for the last move, against the real */
             /* one */
@@ -342,10 +331,7 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
         (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
         (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
         (*cspan_at(&work, region + layout__REGION_MOVE)) = residual;
-        if (fabs(residual) > (*largest))
-        {
-            (*largest) = fabs(residual);
-        }
+        (*largest) = double_max(2, (*largest), fabs(residual));
     }
     sweeps = INT64_C(12);
     if (count == INT64_C(1))
@@ -608,7 +594,7 @@ static inline int64_t coefficients__hertz_coefficients(double* result_0, double*
  * pressure.  Exact for constant curvatures.
  *
  * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
- * a patch's edge: A slant^2 counts as STEEPEST B at most.
+ * a patch's edge: A slant^2 counts as STEEPEST_SLANT B at most.
  */
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
 {
@@ -624,9 +610,9 @@ static inline int64_t coefficients__skewed_coefficients(double* result_0, double
     double cosine;
     double length;
     double width;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        slant = sqrt(coefficients__STEEPEST * B / A);
+        slant = sqrt(coefficients__STEEPEST_SLANT * B / A);
     }
     cross = A * slant;
     diagonal = B + cross * slant;
@@ -667,9 +653,9 @@ static inline double coefficients__middle_slant(array_double_1d tables, int64_t 
     double nr;
     double cosine;
     double length;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        slant = sqrt(coefficients__STEEPEST * B / A) * slant / fabs(slant);
+        slant = sqrt(coefficients__STEEPEST_SLANT * B / A) * slant / fabs(slant);
     }
     cross = A * slant;
     diagonal = B + cross * slant;
@@ -737,10 +723,7 @@ static inline double coefficients__secant_curvature(array_double_1d work, int64_
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share)
 {
     double grown;
-    if (averaged < coefficients__WINDOW_FLOOR * secant)
-    {
-        averaged = coefficients__WINDOW_FLOOR * secant;
-    }
+    averaged = double_max(2, averaged, coefficients__WINDOW_FLOOR * secant);
     grown = secant;
     if (averaged > secant)
     {
@@ -757,30 +740,15 @@ static inline int64_t coefficients__adaptive_curvatures(double* secant, double* 
     double spacing;
     double share;
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*secant) = coefficients__secant_curvature(work, gaps, k, spacing, window, middle);
-    if ((*secant) < least)
-    {
-        (*secant) = least;
-    }
-    share = fabs((double)(k)) * spacing / mean;
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    (*B) = coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share);
-    if ((*B) < least)
-    {
-        (*B) = least;
-    }
+    (*secant) = double_max(2, coefficients__secant_curvature(work, gaps, k, spacing, window, middle), least);
+    share = double_min(2, fabs((double)(k)) * spacing / mean, 1.0);
+    (*B) = double_max(2, coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share), least);
     (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
         (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
     }
-    if ((*side) < least)
-    {
-        (*side) = least;
-    }
+    (*side) = double_max(2, (*side), least);
     return 0;
 }
 
@@ -817,11 +785,7 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
     }
     mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    middle = coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window);
-    if (middle < 0.0)
-    {
-        middle = 0.0;
-    }
+    middle = double_max(2, coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window), 0.0);
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
@@ -829,11 +793,7 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         least = coefficients__FLOOR * A;
         if (prepared)
         {
-            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            if (B < least)
-            {
-                B = least;
-            }
+            B = double_max(2, (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)), least);
             secant = B;
             side = B;
         }
@@ -872,11 +832,7 @@ static inline int64_t coefficients__skew_factors(double* result_0, double* resul
     double skewed_beta;
     double skewed_nr;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (B < coefficients__FLOOR * A)
-    {
-        B = coefficients__FLOOR * A;
-    }
+    B = double_max(2, 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH))), coefficients__FLOOR * A);
     coefficients__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
     coefficients__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
     (*result_0) = skewed_alpha / alpha;
@@ -954,11 +910,7 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
-        if (local < estimate__LEAST_SHARE * penetration)
-        {
-            local = estimate__LEAST_SHARE * penetration;
-        }
+        local = double_max(2, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), estimate__LEAST_SHARE * penetration);
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
@@ -1293,11 +1245,7 @@ static inline int64_t nodes__node_stride(array_double_1d tables)
 static inline double nodes__trace_tolerance(double spacing)
 {
     double tolerance;
-    tolerance = nodes__TRACE_SHARE * spacing;
-    if (tolerance > nodes__COARSEST_TRACE)
-    {
-        tolerance = nodes__COARSEST_TRACE;
-    }
+    tolerance = double_min(2, nodes__TRACE_SHARE * spacing, nodes__COARSEST_TRACE);
     return tolerance;
 }
 
@@ -1527,11 +1475,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
     {
         x = (double)(i) / (double)(count);
         rest = 1.0 - x;
-        gap = low + x * (rise + rest * (rest * forward - x * backward));
-        if (gap < 0.0)
-        {
-            gap = 0.0;
-        }
+        gap = double_max(2, low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
@@ -1586,10 +1530,7 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
 static inline double nodes__zone_share(array_double_1d tables, double A, double side)
 {
     double share;
-    if (side < coefficients__FLOOR * A)
-    {
-        side = coefficients__FLOOR * A;
-    }
+    side = double_max(2, side, coefficients__FLOOR * A);
     share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
     if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
@@ -1608,20 +1549,13 @@ static inline double nodes__node_spacing(array_double_1d work, array_double_1d t
     double least;
     double spacing;
     mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
-    {
-        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    }
+    widest = double_max(2, (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)), (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
     least = nodes__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    if (mean < least)
-    {
-        mean = least;
-    }
+    mean = double_max(2, mean, least);
     spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    if (widest * enlarge > nodes__WIDEST * spacing)
+    if (widest * enlarge > nodes__NODE_ROOM * spacing)
     {
-        spacing = widest * enlarge / nodes__WIDEST;
+        spacing = widest * enlarge / nodes__NODE_ROOM;
     }
     return spacing;
 }
@@ -1748,11 +1682,7 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     point = side + layout__SIDE_SEARCH_POINT;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    if (!(B > coefficients__FLOOR * A))
-    {
-        B = coefficients__FLOOR * A;
-    }
+    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
     coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     (*penetration) = prescribed;
@@ -1913,10 +1843,7 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-                if (local > (*cspan_at(&work, patch + layout__PATCH_PENETRATION)))
-                {
-                    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = local;
-                }
+                (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PENETRATION)), local);
                 patch_places__place_load(work, tables, region, patch, number);
             }
         }
@@ -2119,21 +2046,13 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow = strip_contact__SHALLOW * deepest;
-    if (shallow > strip_contact__OWN_SHALLOW * depth)
-    {
-        shallow = strip_contact__OWN_SHALLOW * depth;
-    }
+    shallow = double_min(2, strip_contact__SHALLOW * deepest, strip_contact__OWN_SHALLOW * depth);
     level = depth - shallow;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {
         (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend = (*cspan_at(&work, region + layout__REGION_BEND));
-        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-        {
-            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        }
+        bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
         estimate = sqrt(2.0 * level / bend);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
         high = widths__zone_width(work, tables, region, 1.0, level, estimate);
@@ -2286,7 +2205,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
             }
             count = strip_contact__open_zones(work, tables);
             strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
-            if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
+            if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
             {
                 break;
             }
@@ -2421,10 +2340,7 @@ static inline int64_t strip_layout__strip_cells(array_double_1d work)
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > largest)
-        {
-            largest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-        }
+        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
     }
     width = 0.0;
     change = 0.0;
@@ -2464,23 +2380,13 @@ static inline double strip_layout__loaded_share(array_double_1d work, int64_t co
     pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
     if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
-        {
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
+        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
     }
     if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
-        {
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
+        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)));
     }
-    share = pressure / (strip_layout__LOADED * largest);
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
+    share = double_min(2, pressure / (strip_layout__LOADED * largest), 1.0);
     return share;
 }
 
@@ -2539,15 +2445,7 @@ static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t r
         strip_layout__run_of_cells(&last, &weight, work, first);
         if (weight > 0.0)
         {
-            number = (int64_t)(weight / each + 0.5);
-            if (number < strip_layout__FEWEST)
-            {
-                number = strip_layout__FEWEST;
-            }
-            if (number > layout__STRIP_LIMIT - made)
-            {
-                number = layout__STRIP_LIMIT - made;
-            }
+            number = int64_t_min(2, int64_t_max(2, (int64_t)(weight / each + 0.5), strip_layout__FEWEST), layout__STRIP_LIMIT - made);
             strip_layout__cut_run(work, first, made, number, weight);
             made += number;
         }
@@ -2684,15 +2582,7 @@ static inline int64_t strip_layout__length_before(array_double_1d work)
         reach = strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
         if (reach > 0.0)
         {
-            share = ((*cspan_at(&work, strip + layout__STRIP_STATION)) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index)) / reach;
-            if (share < 0.0)
-            {
-                share = 0.0;
-            }
-            if (share > 1.0)
-            {
-                share = 1.0;
-            }
+            share = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__STRIP_STATION)) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index)) / reach, 0.0), 1.0);
         }
         rest = 1.0 - share;
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
@@ -2769,26 +2659,11 @@ static inline double strip_lengths__correct_strip(array_double_1d tables, array_
         back = strip_pressures__end_displacement(tables, work, table, i, -away);
         back_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
         move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
-        if (move > strip_lengths__FARTHEST_MOVE * half)
-        {
-            move = strip_lengths__FARTHEST_MOVE * half;
-        }
-        if (move < (-strip_lengths__FARTHEST_MOVE) * half)
-        {
-            move = (-strip_lengths__FARTHEST_MOVE) * half;
-        }
+        move = double_max(2, double_min(2, move, strip_lengths__FARTHEST_MOVE * half), (-strip_lengths__FARTHEST_MOVE) * half);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
     }
-    rise = 0.5 * (front_gap + back_gap);
-    if (rise < strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away)
-    {
-        rise = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away;
-    }
-    ratio = (needed - 0.5 * (front + back)) / rise;
-    if (!(ratio > 0.0))
-    {
-        ratio = 0.0;
-    }
+    rise = double_max(2, 0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away);
+    ratio = double_max(2, 0.0, (needed - 0.5 * (front + back)) / rise);
     return half * strip_lengths__corrected(ratio, power);
 }
 
@@ -2822,10 +2697,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
             (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > largest)
-            {
-                largest = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            }
+            largest = double_max(2, largest, (*cspan_at(&work, strip + layout__STRIP_PRESSURE)));
         }
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -2908,22 +2780,12 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > longest)
-        {
-            longest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-        }
+        longest = double_max(2, longest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)));
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SHORTEST * longest)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SHORTEST * longest;
-        }
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)))
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        }
+        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = double_max(2, double_max(2, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__SHORTEST * longest), strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)));
     }
     return INT64_C(0);
 }
@@ -3446,11 +3308,7 @@ static inline double strip_pressures__apartness(double x, double half_length)
 static inline int64_t strip_pressures__cell_at(double place, int64_t count)
 {
     int64_t cell;
-    cell = (int64_t)(place);
-    if (cell > count - INT64_C(1))
-    {
-        cell = count - INT64_C(1);
-    }
+    cell = int64_t_min(2, (int64_t)(place), count - INT64_C(1));
     return cell;
 }
 
@@ -3510,11 +3368,7 @@ static inline double strip_pressures__mean_at(array_double_1d tables, array_doub
     double outer;
     double result;
     half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near = distance - half;
-    if (near < 0.0)
-    {
-        near = 0.0;
-    }
+    near = double_max(2, distance - half, 0.0);
     far = distance + half;
     inner = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
     outer = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
@@ -4009,14 +3863,7 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, doub
     double slope;
     double z;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-    {
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-    }
-    if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-    {
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-    }
+    y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     tables__height_slope(&z, &slope, tables, wheel, y);
     return z;
 }
@@ -4115,11 +3962,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
             {
                 if (frame__is_yawed(work))
                 {
-                    overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-                    if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
-                    {
-                        overlap = strip_surfaces__LEAST_OVERLAP * depth;
-                    }
+                    overlap = double_max(2, (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
                     strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
                 }
                 beta = low_beta;
@@ -4182,10 +4025,7 @@ static inline double strip_surfaces__zone_curvature(double depth, double width, 
     {
         B = depth / (width * width);
     }
-    if (B < strip_surfaces__FLATTEST_ZONE * A)
-    {
-        B = strip_surfaces__FLATTEST_ZONE * A;
-    }
+    B = double_max(2, B, strip_surfaces__FLATTEST_ZONE * A);
     return B;
 }
 
@@ -4196,15 +4036,8 @@ static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t
     double least;
     level = depth - one_beta * (depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)));
     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
-    least = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    if (least < strip_surfaces__LEAST_OVERLAP * depth)
-    {
-        least = strip_surfaces__LEAST_OVERLAP * depth;
-    }
-    if (level < least)
-    {
-        level = least;
-    }
+    least = double_max(2, strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
+    level = double_max(2, level, least);
     (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(level / (one_alpha * (*cspan_at(&work, strip + layout__STRIP_A))));
     return INT64_C(0);
 }

@@ -534,9 +534,9 @@ static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t 
     c3 = (*cspan_at(&tables, at + INT64_C(4)));
     c4 = (*cspan_at(&tables, at + INT64_C(5)));
     c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    part = (high - low) / (double)(prepare_pieces__PARTS);
+    part = (high - low) / (double)(prepare_pieces__SEEN_PARTS);
     good = 1;
-    for (i = INT64_C(1); i < prepare_pieces__PARTS; i += INT64_C(1))
+    for (i = INT64_C(1); i < prepare_pieces__SEEN_PARTS; i += INT64_C(1))
     {
         y = (double)(i) * part + low;
         u = y - low;
@@ -1003,7 +1003,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
         if (i < count)
         {
             prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + INT64_C(1)));
-            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__STRAIGHT)
+            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__FLAT_BEND)
             {
                 (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y + 0.5 * step;
                 node += INT64_C(1);
@@ -1319,15 +1319,7 @@ static inline int64_t prepare_tables__write_corrections(array_double_1d tables, 
     double middle;
     double high;
     int64_t at;
-    ratio = poisson_ratio;
-    if (ratio < prepare_tables__FIRST_CORRECTION)
-    {
-        ratio = prepare_tables__FIRST_CORRECTION;
-    }
-    if (ratio > prepare_tables__THIRD_CORRECTION)
-    {
-        ratio = prepare_tables__THIRD_CORRECTION;
-    }
+    ratio = double_min(2, double_max(2, poisson_ratio, prepare_tables__FIRST_CORRECTION), prepare_tables__THIRD_CORRECTION);
     for (i = INT64_C(0); i < layout__CORRECTION_RADII; i += INT64_C(1))
     {
         (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + i)) = (*cspan_at(&fixed, first + i));
@@ -1660,10 +1652,7 @@ static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double
     side = (*cspan_at(&zones, row + prepare_zones__ZONE_SIDE));
     root = sqrt(double_max(2, radius * radius - u * u, 0.0));
     (*z) = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) + side * root;
-    if (root < prepare_zones__VERTICAL)
-    {
-        root = prepare_zones__VERTICAL;
-    }
+    root = double_max(2, root, prepare_zones__VERTICAL);
     (*result_1) = (-side) * u / root;
     (*result_2) = (-side) * (radius * radius) / (root * root * root);
     return 0;
@@ -1890,10 +1879,7 @@ static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* r
                 (*result_1_0001) = depth;
                 return 0;
             }
-            if (z > deepest)
-            {
-                deepest = z;
-            }
+            deepest = double_max(2, deepest, z);
         }
         i -= INT64_C(1);
     }

@@ -42,7 +42,7 @@ static const double prepare_pieces__SCALE_2 = 1000.0;
 static const double prepare_pieces__SCALE_3 = 1000000.0;
 static const double prepare_pieces__SCALE_4 = 999999999.9999999;
 static const double prepare_pieces__SCALE_5 = 999999999999.9999;
-static const int64_t prepare_pieces__PARTS = INT64_C(10);
+static const int64_t prepare_pieces__SEEN_PARTS = INT64_C(10);
 static const int64_t prepare_pieces__HALVINGS = INT64_C(24);
 static const int64_t prepare_pieces__FULL = INT64_C(-1);
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high);
@@ -57,7 +57,7 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
 /* prepare/scan.py */
 static const double prepare_scan__COARSE_STEP = 0.001;
 static const double prepare_scan__FINE_STEP = 0.0005;
-static const double prepare_scan__STRAIGHT = 20.0;
+static const double prepare_scan__FLAT_BEND = 20.0;
 static const double prepare_scan__TOO_STEEP = 1000000000.0;
 static const int64_t prepare_scan__LAST_SAMPLE = INT64_C(16);
 static const int64_t prepare_scan__TOO_WIDE = INT64_C(-2);

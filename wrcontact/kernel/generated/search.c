@@ -19,15 +19,7 @@ static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, d
 {
     double u;
     int64_t node;
-    u = (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE));
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0)
-    {
-        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0;
-    }
+    u = double_min(2, double_max(2, 0.0, (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE))), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0);
     node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + (int64_t)(u))));
     if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)) <= y))
     {
@@ -136,14 +128,7 @@ static inline double bounds__rail_place(array_double_1d tables, int64_t scan, do
 /* The cell of the raster of the rail at place ``u``, or the nearest. */
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u)
 {
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0)
-    {
-        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0;
-    }
+    u = double_min(2, double_max(2, 0.0, u), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0);
     return (int64_t)(u);
 }
 
@@ -237,10 +222,7 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
         }
     }
     fall = (-slope) * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length;
-    if (fall < 0.0)
-    {
-        fall = 0.0;
-    }
+    fall = double_max(2, fall, 0.0);
     return fall;
 }
 
@@ -321,11 +303,7 @@ static inline int64_t bounds__bend_bounds(double* least, double* most, array_dou
     least_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_LEAST_BEND));
     most_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + INT64_C(0)));
     (*least) = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel));
-    (*most) = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel));
-    if (!((*most) > 0.0))
-    {
-        (*most) = 0.0;
-    }
+    (*most) = double_max(2, 0.0, most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel)));
     return 0;
 }
 
@@ -431,7 +409,7 @@ static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_do
 /* How fast a lever changes with the roll at most [m], where profiles are as steep as ``steep`` [-]. */
 static inline double first_root__lever_per_roll(double steep, double radius, double arm)
 {
-    return first_root__TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius);
+    return first_root__LEVER_TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius);
 }
 
 /* The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
@@ -450,7 +428,7 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
     radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
     steep = fabs(lever + arm) / radius;
-    yawed = first_root__YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
+    yawed = first_root__LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
     return lever + first_root__lever_per_roll(steep, radius, arm) * fabs(roll) + yawed;
 }
 
@@ -781,7 +759,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
             }
         }
         trial += INT64_C(1);
-        if ((trial == first_root__TRIALS) || (end >= layout__TRIAL_LIMIT - INT64_C(2)))
+        if ((trial == first_root__ROOT_TRIALS) || (end >= layout__TRIAL_LIMIT - INT64_C(2)))
         {
             status = layout__NOT_CONVERGED;
         }

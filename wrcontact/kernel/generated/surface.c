@@ -71,11 +71,7 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
         e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
         around = e1 * cos_phi - e3 * sin_phi;
         steep = sqrt(1.0 + slope * slope);
-        curvature = (around * around / r - bend * e2 * e2) / steep;
-        if (curvature < curvature__CURVATURE_FLOOR / (r * steep))
-        {
-            curvature = curvature__CURVATURE_FLOOR / (r * steep);
-        }
+        curvature = double_max(2, (around * around / r - bend * e2 * e2) / steep, curvature__CURVATURE_FLOOR / (r * steep));
     }
     return curvature;
 }
@@ -326,15 +322,7 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
     double root;
     double t;
     double cos_t;
-    w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
-    if (w > 1.0)
-    {
-        w = 1.0;
-    }
-    if (w < -1.0)
-    {
-        w = -1.0;
-    }
+    w = double_max(2, double_min(2, (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope, 1.0), -1.0);
     root = sqrt(1.0 - w * w);
     t = (*cspan_at(&work, place + layout__PLACE_T));
     cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
@@ -595,14 +583,7 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
  */
 static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last)
 {
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
+    u = double_min(2, double_max(2, 0.0, u), last);
     (*cell) = (int64_t)(u);
     if ((*cell) > (int64_t)(last) - INT64_C(1))
     {
@@ -650,14 +631,7 @@ static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile
     int64_t piece;
     u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
     last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
+    u = double_min(2, double_max(2, 0.0, u), last);
     piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
     while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
     {

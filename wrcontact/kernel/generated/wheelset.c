@@ -149,11 +149,7 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
         }
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH));
-        height = best + brackets__DEEPER * ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - best);
-        if (height > best + trial__DEEPEST)
-        {
-            height = best + trial__DEEPEST;
-        }
+        height = double_min(2, best + brackets__DEEPER * ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - best), best + trial__DEEPEST);
         brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) = height;
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) = residual;
@@ -242,10 +238,7 @@ static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* sati
     height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
     brackets__height_residual(residual, satisfied, &outcome, steep_tables, work, INT64_C(1) - flat, steep_force, height);
     (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
-    if (outcome > (*status))
-    {
-        (*status) = outcome;
-    }
+    (*status) = int64_t_max(2, (*status), outcome);
     return 0;
 }
 
@@ -406,10 +399,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     }
     status = compliant__load_at_height(left_tables, work, INT64_C(0), height);
     outcome = compliant__load_at_height(right_tables, work, INT64_C(1), height);
-    if (outcome > status)
-    {
-        status = outcome;
-    }
+    status = int64_t_max(2, status, outcome);
     return status;
 }
 
@@ -485,11 +475,7 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch);
-        if (factor < 0.0)
-        {
-            factor = 0.0;
-        }
+        factor = double_max(2, 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
         compliant__damp_patch(work, patch, factor);
     }
     filling__total_patches(work, side);
@@ -594,7 +580,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
     {
         (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
     }
-    (*move) = pressed__limited((*move), elastic__LONGEST / (*cspan_at(&right_tables, layout__TABLES_ARM)));
+    (*move) = pressed__limited((*move), elastic__LONGEST_MOVE / (*cspan_at(&right_tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
     (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
     return 0;
@@ -675,8 +661,8 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
         }
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST);
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST_MOVE);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST_MOVE);
         height += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
         roll += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
         if (!(fabs(roll) < layout__ROLL_LIMIT))
@@ -1013,9 +999,9 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = found - height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = 1.0;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__ROOT_WITHIN;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__UNKNOWN;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__ROOT_WITHIN;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__UNKNOWN;
     return INT64_C(0);
 }
@@ -1573,15 +1559,7 @@ static inline double requested__next_load(array_double_1d work, int64_t support,
             slope = secant;
         }
     }
-    following = load - (share - 1.0) / slope;
-    if (following > load * requested__LARGEST_CHANGE)
-    {
-        following = load * requested__LARGEST_CHANGE;
-    }
-    if (following < load / requested__LARGEST_CHANGE)
-    {
-        following = load / requested__LARGEST_CHANGE;
-    }
+    following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * requested__LARGEST_CHANGE), load / requested__LARGEST_CHANGE);
     return following;
 }
 
@@ -1681,10 +1659,7 @@ static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_doub
     if (requested__is_requested(right_tables, INT64_C(1)))
     {
         outcome = side__solve_side(right_tables, work, INT64_C(1), requested__side_force(work, INT64_C(1)));
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }
@@ -2509,15 +2484,7 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height)
 {
     double approach;
-    approach = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if (approach < trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH)))
-    {
-        approach = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
-    }
-    if (approach > trial__DEEPEST)
-    {
-        approach = trial__DEEPEST;
-    }
+    approach = double_min(2, double_max(2, height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH))), trial__DEEPEST);
     return approach;
 }
 
@@ -2563,10 +2530,7 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, arra
     if (status <= layout__UNLOADED)
     {
         outcome = trial__balance_side(right_tables, work, INT64_C(1), right, height);
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }

@@ -75,9 +75,7 @@ def planes_cosine(one: Region, other: Region):
     """Cosine of the angle between the planes of two regions [-]; 1 in one plane, not below 0."""
     cosine = 1.0
     if one.own or other.own:
-        cosine = one.cos * other.cos + one.sin * other.sin
-        if cosine < 0.0:
-            cosine = 0.0
+        cosine = max(one.cos * other.cos + one.sin * other.sin, 0.0)
     return cosine
 
 
@@ -86,10 +84,7 @@ def clip_to_bound(region: Region, k: int, outward: int, stop: float):
     reach = (region.high - region.station) / region.spacing - float(k)
     if outward < 0:
         reach = (region.station - region.low) / region.spacing + float(k)
-    if reach < stop:
-        stop = reach
-    if stop < 0.0:
-        stop = 0.0
+    stop = max(min(stop, reach), 0.0)
     return stop
 
 
@@ -230,8 +225,7 @@ def penetration_residuals(tables: Tables, regions: Regions, count: int, penetrat
         region.residual = residual
         region.slope = turn
         region.move = residual
-        if fabs(residual) > largest:
-            largest = fabs(residual)
+        largest = max(largest, fabs(residual))
     sweeps = 12
     if count == 1:
         sweeps = 0

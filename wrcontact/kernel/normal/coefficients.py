@@ -141,8 +141,7 @@ def secant_curvature(gaps: NodeRun, k: int, spacing: float, window: int, middle:
 
 def windowed_curvature(averaged: float, secant: float, share: float):
     """sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s."""
-    if averaged < WINDOW_FLOOR * secant:
-        averaged = WINDOW_FLOOR * secant
+    averaged = max(averaged, WINDOW_FLOOR * secant)
     grown = secant
     if averaged > secant:
         grown += GROWTH * share * (averaged - secant)
@@ -154,20 +153,13 @@ def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, midd
     """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
     window; none below ``least``."""
     spacing = region.spacing
-    secant = secant_curvature(gaps, k, spacing, window, middle)
-    if secant < least:
-        secant = least
-    share = fabs(float(k)) * spacing / mean
-    if share > 1.0:
-        share = 1.0
-    B = windowed_curvature(second_difference(gaps, k, spacing, window), secant, share)
-    if B < least:
-        B = least
+    secant = max(secant_curvature(gaps, k, spacing, window, middle), least)
+    share = min(fabs(float(k)) * spacing / mean, 1.0)
+    B = max(windowed_curvature(second_difference(gaps, k, spacing, window), secant, share), least)
     side = region.side_high
     if k < 0:
         side = region.side_low
-    if side < least:
-        side = least
+    side = max(side, least)
     return secant, side, B
 
 
@@ -183,16 +175,12 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     if yawed:
         alpha_factor, beta_factor, nr_factor = skew_factors(tables, region, nodes.A[0])
     mean = 0.5 * (region.width_low + region.width_high)
-    middle = second_difference(nodes.gap, 0, region.spacing, window)
-    if middle < 0.0:
-        middle = 0.0
+    middle = max(second_difference(nodes.gap, 0, region.spacing, window), 0.0)
     for k in range(region.first, region.last + 1):
         A = nodes.A[k]
         least = FLOOR * A
         if prepared:
-            B = nodes.B[k]
-            if B < least:
-                B = least
+            B = max(nodes.B[k], least)
             secant = B
             side = B
         else:
@@ -214,9 +202,7 @@ def skew_factors(tables: Tables, region: Region, A: float):
     """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
     ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum."""
     table = tables.hertz
-    B = 0.5 * (region.side_low + region.side_high)
-    if B < FLOOR * A:
-        B = FLOOR * A
+    B = max(0.5 * (region.side_low + region.side_high), FLOOR * A)
     alpha, beta, nr = hertz_coefficients(table, A, B)
     skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
     return skewed_alpha / alpha, skewed_beta / beta, skewed_nr / nr

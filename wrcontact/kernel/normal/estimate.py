@@ -57,7 +57,5 @@ def start_penetrations(regions: Regions, count: int, penetration: float):
     for LEAST_SHARE of the penetration."""
     for i in range(count):
         region = regions[i]
-        local = region.alignment * penetration - region.gap
-        if local < LEAST_SHARE * penetration:
-            local = LEAST_SHARE * penetration
+        local = max(region.alignment * penetration - region.gap, LEAST_SHARE * penetration)
         region.local_penetration = local

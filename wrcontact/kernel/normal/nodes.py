@@ -67,9 +67,7 @@ def node_stride(tables: Tables):
 
 def trace_tolerance(spacing: float):
     """To what the abscissae of nodes with this ``spacing`` are traced [m]."""
-    tolerance = TRACE_SHARE * spacing
-    if tolerance > COARSEST_TRACE:
-        tolerance = COARSEST_TRACE
+    tolerance = min(TRACE_SHARE * spacing, COARSEST_TRACE)
     return tolerance
 
 
@@ -213,9 +211,7 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
     for i in range(1, count):
         x = float(i) / float(count)
         rest = 1.0 - x
-        gap = low + x * (rise + rest * (rest * forward - x * backward))
-        if gap < 0.0:
-            gap = 0.0
+        gap = max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0)
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
@@ -248,8 +244,7 @@ def zone_share(tables: Tables, A: float, side: float):
     """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
     ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
     curvatures 1 + beta may fall to 1."""
-    if side < FLOOR * A:
-        side = FLOOR * A
+    side = max(side, FLOOR * A)
     share = SPREAD / table_value(tables.hertz, 0, log(A / side))
     if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
@@ -260,12 +255,9 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
     for so many."""
     mean = 0.5 * (region.width_low + region.width_high)
-    widest = region.width_low
-    if region.width_high > widest:
-        widest = region.width_high
+    widest = max(region.width_low, region.width_high)
     least = NARROWEST * sqrt(region.local_penetration / region.curvature)
-    if mean < least:
-        mean = least
+    mean = max(mean, least)
     spacing = mean / tables.nodes
     if widest * enlarge > NODE_ROOM * spacing:
         spacing = widest * enlarge / NODE_ROOM

@@ -27,9 +27,7 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     point = side.point
     table = tables.hertz
     A = 0.5 * point.curvature_x
-    B = 0.5 * point.curvature_y
-    if not B > FLOOR * A:
-        B = FLOOR * A
+    B = max(FLOOR * A, 0.5 * point.curvature_y)
     one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
     penetration = prescribed

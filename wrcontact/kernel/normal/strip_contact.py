@@ -58,16 +58,12 @@ def measure_zone(tables: Tables, contact: Contact, region: Region, zone: StripZo
     zone.start = region.offset + region.station
     zone.stop = zone.start
     depth = contact.frame.depth
-    shallow = SHALLOW * deepest
-    if shallow > OWN_SHALLOW * depth:
-        shallow = OWN_SHALLOW * depth
+    shallow = min(SHALLOW * deepest, OWN_SHALLOW * depth)
     level = depth - shallow
     zone.level = 0.0
     if level > 0.0:
         zone.level = level
-        bend = region.bend
-        if bend < region.curvature:
-            bend = region.curvature
+        bend = max(region.bend, region.curvature)
         estimate = sqrt(2.0 * level / bend)
         contact.frame.blur = 0.0
         high = zone_width(tables, contact.frame, contact.origin, region, 1.0, level, estimate)

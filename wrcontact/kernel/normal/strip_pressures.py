@@ -70,9 +70,7 @@ def apartness(x: float, half_length: float):
 
 def cell_at(place: float, count: int):
     """The cell that holds ``place``, 0 ... ``count``; the last one has its end too."""
-    cell = int(place)
-    if cell > count - 1:
-        cell = count - 1
+    cell = min(int(place), count - 1)
     return cell
 
 
@@ -107,9 +105,7 @@ def middle_influence(table: InfluenceTable, first: int, u: float):
 def mean_at(table: InfluenceTable, strip: Strip, distance: float, v: float):
     """The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]."""
     half = 0.5 * strip.breadth
-    near = distance - half
-    if near < 0.0:
-        near = 0.0
+    near = max(distance - half, 0.0)
     far = distance + half
     inner = influence_at(table, INFLUENCE_MAP, nearness(near, strip.half_length), v)
     outer = influence_at(table, INFLUENCE_MAP, nearness(far, strip.half_length), v)

@@ -133,10 +133,8 @@ def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips
         pressure = 0.0
         if j > 0 and j < stations - 1:
             half_length, pressure = curved_at(strips, regions, count, station)
-        if half_length > largest:
-            half_length = largest
-        if pressure > peak:
-            pressure = peak
+        half_length = min(half_length, largest)
+        pressure = min(pressure, peak)
         outline.numbers[j] = station
         outline.numbers[stations + j] = half_length
         outline.numbers[2 * stations + j] = pressure
@@ -155,8 +153,7 @@ def write_straight(outline: Outline, stations: int, side: SideSearch, strips: So
         index = patch_beside(side, index, station)
         patch = side.patches[index]
         if j > 0 and j < stations - 1 and station > patch.totals.start and station < patch.totals.stop:
-            if strip < patch.first:
-                strip = patch.first
+            strip = max(strip, patch.first)
             while strip <= patch.last and strips[strip].station < station:
                 strip += 1
             half_length, pressure = straight_at(patch, strips, strip, station)

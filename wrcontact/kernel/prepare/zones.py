@@ -76,8 +76,7 @@ def arc_jet(zones: 'float[:]', row: int, y: float):
     side = zones[row + ZONE_SIDE]
     root = sqrt(max(radius * radius - u * u, 0.0))
     z = zones[row + ZONE_Z_CENTRE] + side * root
-    if root < VERTICAL:
-        root = VERTICAL
+    root = max(root, VERTICAL)
     return z, -side * u / root, -side * (radius * radius) / (root * root * root)
 
 
@@ -203,8 +202,7 @@ def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
             y, z = turned_point(zones, row, zones[row + ZONE_START], cosine, sine)
             if z >= depth:
                 return place_at_depth(zones, row, cosine, sine, depth), depth
-            if z > deepest:
-                deepest = z
+            deepest = max(deepest, z)
         i -= 1
     return 0.0, deepest
 

@@ -90,11 +90,7 @@ def around_wheel(place: Place, slope: float):
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
     """
-    w = place.w_per_slope * slope
-    if w > 1.0:
-        w = 1.0
-    if w < -1.0:
-        w = -1.0
+    w = max(min(place.w_per_slope * slope, 1.0), -1.0)
     root = sqrt(1.0 - w * w)
     t = place.t
     cos_t = place.cos_t

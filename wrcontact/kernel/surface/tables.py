@@ -13,10 +13,7 @@ def table_cell(u: float, last: float):
 
     ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
     """
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
+    u = min(max(0.0, u), last)
     cell = int(u)
     if cell > int(last) - 1:
         cell = int(last) - 1
@@ -43,10 +40,7 @@ def find_piece(profile: Profile, y: float) -> Piece:
     """The piece that holds ``y`` [m]."""
     u = (y - profile.start) * profile.bins_per_metre
     last = profile.bin_count - 1.0
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
+    u = min(max(0.0, u), last)
     piece = Piece.at(profile, int(profile.bins[int(u)]))
     while y >= Piece.at(piece, PIECE_SIZE).start:
         piece = Piece.at(piece, PIECE_SIZE)

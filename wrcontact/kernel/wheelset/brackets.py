@@ -117,9 +117,7 @@ def bracket_height(tables: Tables, work: Work, index: int, force: float):
             return status
         bracket.low = bracket.high
         bracket.at_low = bracket.at_high
-        height = best + DEEPER * (bracket.high - best)
-        if height > best + DEEPEST:
-            height = best + DEEPEST
+        height = min(best + DEEPER * (bracket.high - best), best + DEEPEST)
         residual, satisfied, status = height_residual(tables, work, index, force, height)
         bracket.high = height
         bracket.at_high = residual
@@ -180,8 +178,7 @@ def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, flat: 
     height = work.supports[flat].height
     residual, satisfied, outcome = height_residual(steep_tables, work, 1 - flat, steep_force, height)
     work.supports[1 - flat].height = height
-    if outcome > status:
-        status = outcome
+    status = max(status, outcome)
     return residual, satisfied, status
 
 

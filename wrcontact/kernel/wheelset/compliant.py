@@ -38,8 +38,7 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work):
         return OFF_PROFILE
     status = load_at_height(left_tables, work, 0, height)
     outcome = load_at_height(right_tables, work, 1, height)
-    if outcome > status:
-        status = outcome
+    status = max(status, outcome)
     return status
 
 
@@ -89,9 +88,7 @@ def damp_patches(tables: Tables, side: SideSearch):
     """Damp the patches of a side."""
     for number in range(side.patch_count):
         patch = side.patches[number]
-        factor = 1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch)
-        if factor < 0.0:
-            factor = 0.0
+        factor = max(1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch), 0.0)
         damp_patch(patch, factor)
     total_patches(side)
 

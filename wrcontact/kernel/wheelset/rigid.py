@@ -67,8 +67,7 @@ def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, roll: flo
         status = solve_side(left_tables, work, 0, side_force(work, 0))
     if is_requested(right_tables, 1):
         outcome = solve_side(right_tables, work, 1, side_force(work, 1))
-        if outcome > status:
-            status = outcome
+        status = max(status, outcome)
     return status
 
 

@@ -35,11 +35,7 @@ def estimate_approach(tables: Tables, work: Work, index: int, force: float):
 def permitted_approach(support: Support, side: SideSearch, height: float):
     """How far a wheel at ``height`` is below its smallest gap [m], within the range
     in which it is pressed."""
-    approach = height - side.best
-    if approach < SHALLOWEST * support.approach:
-        approach = SHALLOWEST * support.approach
-    if approach > DEEPEST:
-        approach = DEEPEST
+    approach = min(max(height - side.best, SHALLOWEST * support.approach), DEEPEST)
     return approach
 
 
@@ -71,8 +67,7 @@ def balance_both(left_tables: Tables, right_tables: Tables, work: Work, left: fl
     status = balance_side(left_tables, work, 0, left, height)
     if status <= UNLOADED:
         outcome = balance_side(right_tables, work, 1, right, height)
-        if outcome > status:
-            status = outcome
+        status = max(status, outcome)
     return status
 
 
