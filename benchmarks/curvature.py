@@ -84,25 +84,25 @@ def gap_curve(system, shift, yaw, force, name):
     kernel = np.array([outputs[right + at] for at in (layout.SIDE_PENETRATION, layout.SIDE_AREA,
                                                       layout.SIDE_MAX_PRESSURE)])
     coarse = np.linspace(-REACH, REACH, 1801)
-    near = coarse[normal_gaps(tables, work, state, coarse)[0] < LOOKED_AT * kernel[0]]
+    near = coarse[normal_gaps(tables, work, coarse)[0] < LOOKED_AT * kernel[0]]
     if len(near) < LEAST:
         return None
     s = np.linspace(near[0] - 1e-4, near[-1] + 1e-4, STATIONS)
-    g, A = normal_gaps(tables, work, state, s)
+    g, A = normal_gaps(tables, work, s)
     there = g < frame.NO_GAP
     return Case(name, s[there], g[there], A[there], force, kernel=kernel)
 
 
-def normal_gaps(tables, work, state, s):
+def normal_gaps(tables, work, s):
     """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point
     outwards."""
-    tables, work, state = layout.Tables.at(tables), layout.Work.at(work), layout.State.at(state)
+    tables, work = layout.Tables.at(tables), layout.Work.at(work)
     g, A = np.full(len(s), frame.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
         traces.start_traces(work.contact.frame, 0.0, work.contact.frame.rail.y, work.contact.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = frame.normal_gap(tables, work.contact.frame, state, float(s[j]), 1e-10)
+            gap, _, _, curvature = frame.normal_gap(tables, work.contact.frame, float(s[j]), 1e-10)
             if gap >= frame.NO_GAP:
                 break
             g[j], A[j] = gap, curvature / 2

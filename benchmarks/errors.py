@@ -180,12 +180,12 @@ def trials(model, load):
     """Trials of each of TRIAL_POSES random poses, up to 8 mm and 0.03 rad, 1 ... 150 kN."""
     rng = np.random.default_rng(4)
     stepper = system(contact_mode="elastic", normal_model=model, load=load).stepper()
-    found = []
+    side, found = layout.Work.at(stepper._workspace).sides[1], []
     for shift, yaw, force in rng.uniform((-8e-3, -0.03, 1e3), (8e-3, 0.03, 150e3), (TRIAL_POSES, 3)):
         stepper.inputs[[0, 1, 3]] = shift, yaw, force
-        before = stepper.state[layout.STATE_ROLL_COUNT]
+        before = side.roll_count
         stepper.step()
-        found.append(stepper.state[layout.STATE_ROLL_COUNT] - before)
+        found.append(side.roll_count - before)
     return np.array(found)
 
 

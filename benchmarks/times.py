@@ -1,6 +1,6 @@
 """Times beside those of the models: of what can be skipped, with the number of wheelsets and of threads, with
 the number of stations, of elastic wheelsets, and of derivatives; the work of a step, counted by the kernel
-itself (the record State in wrcontact/kernel/layout/arrays.py); and the trajectory that the speed is judged
+itself (fields of its records whose names end in count); and the trajectory that the speed is judged
 by: a wheelset that hunts from flange to flange, with a faster motion on top and a load that changes.
 
     python -m benchmarks trajectory
@@ -213,14 +213,8 @@ def derivatives(options):
 # ----------------------------------------------------------------------------- work of a step, the trajectory
 
 
-COUNTS = {  # per wheelset; a scan searches one side at one roll for a smaller gap
-    "gap evaluations": layout.STATE_GAP_COUNT,
-    "scans": layout.STATE_SCAN_COUNT,
-    "roll iterations": layout.STATE_ROLL_COUNT,
-    "normal-gap nodes": layout.STATE_NODE_COUNT,
-    "force solves": layout.STATE_SOLVE_COUNT,
-    "strip systems": layout.STATE_STRIP_COUNT,
-}
+#: Per wheelset; a scan searches one side at one roll for a smaller gap.
+COUNTS = ("gap evaluations", "scans", "roll iterations", "normal-gap nodes", "force solves", "strip systems")
 FULL_RASTER = "full raster: gap evaluations"  # without the bounds of the search
 ROOT, FLANGE = 4.848e-3, 6.252e-3  # [m] where the contact jumps without yaw
 
@@ -247,7 +241,16 @@ def per_wheelset(model, poses):
     call()
     if np.any(status != 0):
         raise ArithmeticError(f"{np.sum(status != 0)} poses are not solved")
-    return stepper.state[list(COUNTS.values())] / len(inputs)
+    return counted(stepper) / len(inputs)
+
+
+def counted(stepper):
+    """What a stepper's kernel has done so far (6,): :data:`COUNTS`."""
+    work = layout.Work.at(stepper._workspace)
+    places = [side.place for side in work.sides]
+    return np.array([sum(place.gap_count for place in places), sum(side.scan_count for side in work.sides),
+                     work.sides[1].roll_count, sum(place.node_count for place in places),
+                     work.contact.regions[0].solve_count, work.contact.strip_problem.strip_count])
 
 
 def raster():
@@ -321,7 +324,7 @@ def work(parameters, count, every=1):
     """Mean counts (6,) of :data:`COUNTS` a step, from a stepper that begins there."""
     call, stepper, _ = trajectory_steps(parameters, count, every)
     call()
-    return stepper.state[list(COUNTS.values())] / count
+    return counted(stepper) / count
 
 
 def trajectory_times(quick=False):

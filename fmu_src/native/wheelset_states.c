@@ -4,7 +4,7 @@
 
 #include "wheelset_parts.h"
 
-static const char FORMAT[16] = "wrcontact 2";
+static const char FORMAT[16] = "wrcontact 3";
 
 /* Fowler, Noll and Vo's hash, 64 bits. */
 static uint64_t checksum(const void *bytes, size_t size)

@@ -10,7 +10,7 @@ from wrcontact.kernel.normal.coefficients import weigh_nodes
 
 
 def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, sweeps=2):
-    """The kernel's tables, workspace and state, as records, with nodes on the gap B s^2 and constant A,
+    """The kernel's tables and workspace, as records, with nodes on the gap B s^2 and constant A,
     written by hand; and Hertz's penetration [m]."""
     parts = {"hertz": hertz_table(), "influence": influence_table()}
     array = np.concatenate([np.zeros(layout.SETTING_COUNT), *parts.values()])
@@ -20,7 +20,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     for name, table in parts.items():
         setattr(tables, name, offset)
         offset += len(table)
-    work, state = layout.Work.at(np.zeros(layout.WORK_SIZE)), layout.State.at(np.zeros(layout.STATE_SIZE))
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
     region = work.contact.regions[0]
@@ -35,4 +35,4 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
         work.contact.nodes[0].gap[k] = B * (region.spacing * k) ** 2
         work.contact.nodes[0].A[k] = A
     weigh_nodes(tables, region, work.contact.nodes[0], window, 0)
-    return tables, work, state, penetration
+    return tables, work, penetration

@@ -125,7 +125,7 @@ class Contact:
         stepper.inputs[:4] = shift, yaw, 0.0, force
         assert stepper.step() == 0
         self.state = self.system.evaluate(shift, yaw, force)
-        self.tables, self.memory, self.work = stepper.tables, stepper.state, workspace_of(stepper)
+        self.tables, self.work = stepper.tables, workspace_of(stepper)
         wheel, rail, end = (int(self.tables[at])
                             for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
         self.rail = Curve(self.tables[rail:end])
@@ -142,14 +142,13 @@ class Contact:
     def kernel(self, kind, stations, spacing=0.0):
         """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at
         ``stations`` from the deepest point."""
-        tables, work, state = (layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy()),
-                               layout.State.at(self.memory))
+        tables, work = layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy())
         tables.separation = NUMBERS["separation"][kind]
         region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
         traces.start_traces(work.contact.frame, 0.0, self.u_rail, self.u_wheel)
         curves.open_origin(tables, work.contact.frame, work.contact.origin, region, spacing)
-        return np.array([separation.separation(tables, work.contact.frame, work.contact.origin, state,
-                                               float(s), 1e-13)
+        return np.array([separation.separation(tables, work.contact.frame, work.contact.origin, float(s),
+                                               1e-13)
                          for s in stations]).T
 
     def depth_lost(self, u_rail):

@@ -40,14 +40,15 @@ def test_hertz_table_holds_the_elliptic_integrals(ratio):
 @pytest.mark.parametrize("A, B", CURVATURES)
 def test_hertz_stiffness(A, B):
     penetration = hertz(A, B, 78.5e3)[0]
-    assert hertz_stiffness(TABLE, A, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
+    _, one_beta, nr = hertz_coefficients(TABLE, A, B)
+    assert hertz_stiffness(one_beta, nr, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], side,
     strips and outputs of the side."""
-    tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, state, 1,
+    tables, work, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
+    found, satisfied = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, 1,
                                                  force, 0.7 * penetration, 0)
     assert satisfied == 1
     side, out = work.sides[1], work.outputs.left[1]

@@ -237,7 +237,7 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
     coarse = np.linspace(of_wheel.start, of_wheel.stop,
                          int(np.ceil((of_wheel.stop - of_wheel.start) / raster.COARSE_STEP)) + 1)
     middles = [0.5 * (low + high) for low, high in zip(coarse, coarse[1:])
-               if np.abs(of_wheel.between(low, high)[:2]).max() > raster.STRAIGHT]
+               if np.abs(of_wheel.between(low, high)[:2]).max() > raster.FLAT_BEND]
     np.testing.assert_allclose(y, np.sort([*coarse, *middles]), atol=1e-16)
     assert (scan.bin_count, scan.bins_per_metre) == (len(coarse) - 1,
                                                      (len(coarse) - 1) / (of_wheel.stop - of_wheel.start))

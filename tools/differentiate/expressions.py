@@ -198,6 +198,8 @@ class Expressions(Scope):
             call = node.args[0] if name == "differentiated" else node
             self.write(f"{result}, {result}_t = {self.derivative_call(call, derivative)}")
             return Pair(result, result + "_t")
+        if name in ("min", "max"):
+            return self.smaller(*node.args, "<" if name == "min" else ">")
         if name == "atan2":
             up, along = self.atom(node.args[0]), self.atom(node.args[1])
             square = f"({along.value} * {along.value} + {up.value} * {up.value})"
@@ -209,6 +211,16 @@ class Expressions(Scope):
         if "{f}" in RATES[name]:
             value = self.named(value)
         return Pair(value, RATES[name].format(v=argument.value, f=value, d=closed(argument.rate)))
+
+    def smaller(self, first, second, sign):
+        """Value and rate of the smaller or larger of two values: the first, unless the second truly is."""
+        one, other, chosen = self.pair(first), self.atom(second), self.fresh("v")
+        self.write(f"{chosen} = {one.value}")
+        self.write(f"{chosen}_t = {one.rate or '0.0'}")
+        self.write(f"if {other.value} {sign} {chosen}:")
+        self.write(f"    {chosen} = {other.value}")
+        self.write(f"    {chosen}_t = {other.rate or '0.0'}")
+        return Pair(chosen, chosen + "_t")
 
 
 def has_call(node):

@@ -3,7 +3,7 @@ the modules that result."""
 
 import ast
 
-from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_SOLVER, ROOT, RULE_MODULES, RULES, SEARCHES
+from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_SOLVER, ROOT, RULE_MODULES, RULES
 from .scope import Scope, parameters
 from .statements import Differentiated
 
@@ -92,7 +92,7 @@ class Kernel:
         """(module, function) whose derivative a call of ``name`` in ``module`` stands for; None where
         the call stays as it is."""
         home = self.home(module, name)
-        if (home is None or name in INTRINSICS or name in SEARCHES or module in RULE_MODULES
+        if (home is None or name in INTRINSICS or module in RULE_MODULES
             and name in {*RULES, RATE_SOLVER}):
             return None
         if name in RULES:

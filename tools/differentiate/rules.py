@@ -7,8 +7,6 @@ RULES = {
     "move_chord": "chord_rule", "move_across": "across_rule", "meet_wheel": "meet_rule",
     "find_overlaps": "overlaps_rule",
 }
-#: Called as they are: they look for places from which an iteration starts.
-SEARCHES = {"list_minima"}
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.

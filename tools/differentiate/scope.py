@@ -56,6 +56,8 @@ class Scope:
             return "float" if floats else "int"
         if node.func.id in ("int", "isfinite"):
             return "int" if node.func.id == "int" else "bool"
+        if node.func.id in ("min", "max"):
+            return self.kind(node.args[0])
         if (node.func.id in ("held", "moving", "seeded", "rate_of")
             or self.kernel.home(self.module, node.func.id) is None):
             return "float"

@@ -118,7 +118,8 @@ class Differentiated(Expressions):
                 self.write(f"{place} = {self.value(value)}")
                 return
         pair = self.pair(value)
-        self.write(f"{rate_place} = {pair.rate or '0.0'}")
+        if pair.rate != rate_place:
+            self.write(f"{rate_place} = {pair.rate or '0.0'}")
         if pair.value != place:
             self.write(f"{place} = {pair.value}")
 

@@ -100,7 +100,7 @@ class HalfspaceSolver(Solver):
             wheels, status = self._balanced()
         solved = [self._press(index, wheels[index])
                   for index in tracked(range(2), "half-space of one pose", alone=True)]
-        move_patches(*self._tables_of, work, layout.State.at(self._state))
+        move_patches(*self._tables_of, work)
         if has_creep_forces(right, work):
             rub_patches(self._tables_of, work, partial(self._rub, solved))
         report_forces(right, work)

@@ -48,7 +48,7 @@ START = np.array([v.start if v.type in (REAL, BOOLEAN) and v.start is not None e
                  dtype=float)
 
 #: First bytes of every saved state; the number changes with the format.
-STATE_FORMAT = b"wrcontact state 2\n"
+STATE_FORMAT = b"wrcontact state 3\n"
 STATE_BODY = len(STATE_FORMAT) + hashlib.sha256().digest_size
 #: A saved state belongs to one build: inside an FMU the package's name contains a hash of its contents.
 BUILD = __name__.split(".")[0]

@@ -79,10 +79,7 @@ def curve_speed(tables: Tables, frame: Frame, origin: Origin, curve: int, u: flo
 def within(tables: Tables, curve: int, u: float):
     """``u``, or the end of the profile that it lies beyond [m]."""
     profile = curve_profile(tables, curve)
-    if u < profile.start:
-        u = profile.start
-    if u > profile.stop:
-        u = profile.stop
+    u = min(max(u, profile.start), profile.stop)
     return u
 
 

@@ -128,9 +128,7 @@ def merge_points(overlap: Overlap):
     while entry < overlap.count - 1:
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        lower = point.depth
-        if lower > following.depth:
-            lower = following.depth
+        lower = min(point.depth, following.depth)
         if depth - point.between < MERGE * depth or lower - point.between < LEAST_HUMP:
             less = entry
             if point.depth > following.depth:
@@ -176,11 +174,7 @@ def follow_overlaps(tables: Tables, overlap: Overlap, kept: DeepPoints, place: P
 def follow_saddle(tables: Tables, place: Place, point: DeepPoint, following: DeepPoint, height: float):
     """Find the saddle between two neighbouring points from where it was."""
     y = 0.5 * (point.wheel + following.wheel)
-    reach = FOLLOWED
-    if point.saddle - point.rail < reach:
-        reach = point.saddle - point.rail
-    if following.rail - point.saddle < reach:
-        reach = following.rail - point.saddle
+    reach = min(min(FOLLOWED, point.saddle - point.rail), following.rail - point.saddle)
     x, y, depth, turned = turning_point(tables, place, point.saddle - reach, point.saddle + reach, y, height,
                                         -1.0)
     if not turned:

@@ -9,7 +9,7 @@ from math import sqrt
 from typing import Final
 
 from ..layout import (FRAME_SIZE, LOAD_VERTICAL, REGION_LIMIT, Frame, KeptFrames, Place, Region, Regions,
-                      State, Tables, seldom)
+                      Tables, seldom)
 from ..surface.gap import FOLDED
 from ..surface.locus import outline_jet, outline_x
 from ..surface.rails import upright_share
@@ -65,13 +65,13 @@ def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: floa
     return z, slope, y_track, rail_slope, mismatch
 
 
-def normal_gap(tables: Tables, frame: Frame, state: State, station: float, tolerance: float):
+def normal_gap(tables: Tables, frame: Frame, station: float, tolerance: float):
     """Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
     [m].
 
     NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
     """
-    state.node_count += 1.0
+    frame.place.node_count += 1.0
     rail_height, rail_rate, rail_bend, on_rail = trace_rail(tables, frame, station, tolerance)
     wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(tables, frame, station, tolerance)
     frame.station = station
@@ -140,9 +140,9 @@ def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
         region.share = upright_share(frame.place, cosine, region.sin)
 
 
-def measure_contact(tables: Tables, frame: Frame, state: State):
+def measure_contact(tables: Tables, frame: Frame):
     """Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x."""
-    gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
+    gap, rate, bend, curvature = normal_gap(tables, frame, 0.0, PLACE_TRACE)
     frame.bend = bend
     frame.curvature = curvature
 

@@ -3,7 +3,7 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
-from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, State, Tables, seldom
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, Tables, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
@@ -49,8 +49,8 @@ def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
 
 
 @seldom
-def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, node: int, direction: int,
-                 height: float, first: int):
+def walk_overlap(tables: Tables, samples: Samples, place: Place, node: int, direction: int, height: float,
+                 first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
     above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
     count = tables.scan.count
@@ -59,7 +59,7 @@ def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, n
     adjacent = 1.0
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
         gap, mismatch, abscissa = sample_overlap(tables, samples, place, node, height, entry)
-        state.gap_count += 1.0
+        place.gap_count += 1.0
         on_rail = above_rail(tables, abscissa)
         if not on_rail:
             sample_end(tables, samples, direction, entry)

@@ -8,8 +8,7 @@ between them are one region (deep_points.MERGE).
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import (OVERLAP_LIMIT, Overlap, Place, RisePoint, Samples, SideSearch, State, Stretch, Tables,
-                      seldom)
+from ..layout import OVERLAP_LIMIT, Overlap, Place, RisePoint, Samples, SideSearch, Stretch, Tables, seldom
 from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
@@ -36,8 +35,7 @@ WIDENINGS: Final[int] = 6
 
 
 @seldom
-def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, state: State,
-                  height: float):
+def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, height: float):
     """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
     number."""
     place = side.place
@@ -46,8 +44,8 @@ def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, state: Sta
     overlap.count = 0
     overlap.height = height
     overlap.stretch.known = -1
-    start = walk_overlap(tables, samples, place, state, node, -1, height, OVERLAP_LIMIT - 1) + 1
-    stop = walk_overlap(tables, samples, place, state, node + 1, 1, height, OVERLAP_LIMIT)
+    start = walk_overlap(tables, samples, place, node, -1, height, OVERLAP_LIMIT - 1) + 1
+    stop = walk_overlap(tables, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
             list_in_cell(tables, overlap, place, entry)

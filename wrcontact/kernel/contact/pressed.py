@@ -27,7 +27,7 @@ with (X, Z) the wheel's point at abscissa y in its present pose.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Frame, Place, State, Tables, seldom
+from ..layout import RAIL, WHEEL, Frame, Place, Tables, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
@@ -73,7 +73,7 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
     return y, overlap, rise, rate, curvature, found
 
 
-@seldom
+@inlined
 def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
     moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
@@ -115,10 +115,7 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
             slope += bend * move
             relative_kappa = wheel_kappa * sqrt(steep) - kappa
             return y, overlap, rise, steep * relative_kappa, z, slope, bend, True
-        if move > LINE_STEP:
-            move = LINE_STEP
-        if move < -LINE_STEP:
-            move = -LINE_STEP
+        move = max(min(move, LINE_STEP), -LINE_STEP)
         y += move
         if not (y >= wheel.start and y <= wheel.stop):
             return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
@@ -138,10 +135,8 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
         wheel = tables.wheel
         low = y - blur
         high = y + blur
-        if low < wheel.start:
-            low = wheel.start
-        if high > wheel.stop:
-            high = wheel.stop
+        low = max(low, wheel.start)
+        high = min(high, wheel.stop)
         z, low_slope = height_slope(wheel, low)
         z, high_slope = height_slope(wheel, high)
         bend = (high_slope - low_slope) / (high - low)
@@ -149,11 +144,11 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
 
 
 @seldom
-def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
+def pressed_gap(tables: Tables, frame: Frame, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
     [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
     pressed wheel."""
-    state.node_count += 1.0
+    frame.place.node_count += 1.0
     rail = tables.rail
     way = station - frame.station
     abscissa = rail_abscissa(tables, frame.traces[RAIL].abscissa, way)
@@ -182,10 +177,7 @@ def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
 @seldom
 def limited(step: float, limit: float):
     """``step``, no longer than ``limit`` either way."""
-    if step > limit:
-        step = limit
-    if step < -limit:
-        step = -limit
+    step = max(min(step, limit), -limit)
     return step
 
 

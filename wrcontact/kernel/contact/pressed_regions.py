@@ -1,7 +1,7 @@
 """The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point."""
 
 from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Place, Region, Regions, SideSearch,
-                      State, Tables, seldom)
+                      Tables, seldom)
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .curves import rail_length
@@ -32,12 +32,11 @@ def press_frame(frame: Frame, height: float, depth: float, gap: float):
 
 
 @seldom
-def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
-               penetration: float):
+def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, penetration: float):
     """Press the wheel of the open frame, which just touches, straight down until its contact point is
     ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail."""
     height = frame.shift + penetration / frame.plane.cos
-    count = find_overlaps(tables, overlap, side, state, height)
+    count = find_overlaps(tables, overlap, side, height)
     press_frame(frame, height, penetration, 0.0)
     frame.sunk = True
     return count
@@ -89,8 +88,7 @@ def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoin
 
 
 @seldom
-def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap,
-                    state: State):
+def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap):
     """Open a region for every deepest point on the list, each with its own frame; their number.  The open
     frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
     point where it just touched."""
@@ -104,7 +102,7 @@ def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: R
         if index != contact or frame.sunk:
             give_own_frame(tables, frame, region, point)
         start_traces(frame, 0.0, point.rail, point.wheel)
-        gap, rate, bend, curvature = pressed_gap(tables, frame, state, 0.0)
+        gap, rate, bend, curvature = pressed_gap(tables, frame, 0.0)
         region.bend = bend
         region.curvature = curvature
         region.low = -BEYOND

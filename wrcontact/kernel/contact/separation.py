@@ -15,7 +15,7 @@ not where the wheelset is.
 
 from math import sqrt
 
-from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, State, Tables, seldom
+from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, Tables, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope_bend
 from .frame import NO_GAP, normal_gap
@@ -87,10 +87,10 @@ def depth_lost(tables: Tables, frame: Frame):
 
 
 @seldom
-def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State, station: float, kind: int):
+def moved_separation(tables: Tables, frame: Frame, origin: Origin, station: float, kind: int):
     """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
     region's minimum."""
-    state.node_count += 1.0
+    frame.place.node_count += 1.0
     if kind == SEPARATION_VERTICAL:
         gap, rate, bend, exists = vertical_rise(tables, frame, origin, station)
     else:
@@ -110,7 +110,7 @@ def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State,
     return gap, rate, bend, curvature
 
 
-def separation(tables: Tables, frame: Frame, origin: Origin, state: State, station: float, tolerance: float):
+def separation(tables: Tables, frame: Frame, origin: Origin, station: float, tolerance: float):
     """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
     measured as chosen; NO_GAP where a profile has ended.
 
@@ -118,9 +118,9 @@ def separation(tables: Tables, frame: Frame, origin: Origin, state: State, stati
     """
     kind = tables.separation
     if kind == SEPARATION_NORMAL and not frame.pressed:
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, tolerance)
+        gap, rate, bend, curvature = normal_gap(tables, frame, station, tolerance)
     elif kind == SEPARATION_NORMAL:
-        gap, rate, bend, curvature = pressed_gap(tables, frame, state, station)
+        gap, rate, bend, curvature = pressed_gap(tables, frame, station)
     else:
-        gap, rate, bend, curvature = moved_separation(tables, frame, origin, state, station, kind)
+        gap, rate, bend, curvature = moved_separation(tables, frame, origin, station, kind)
     return gap, rate, bend, curvature

@@ -55,10 +55,7 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
     slope = 0.0
     bend = 0.0
     for i in range(TRACE_ITERATIONS):
-        if u < profile.start:
-            u = profile.start
-        if u > profile.stop:
-            u = profile.stop
+        u = min(max(u, profile.start), profile.stop)
         height, slope, bend = height_slope_bend(profile, u)
         forward = plane.cos + slope * plane.sin
         excess = (u - point.y) * plane.cos + (height - point.z) * plane.sin - station
@@ -128,10 +125,7 @@ def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float
     outline_slope = 0.0
     outline_rate = 0.0
     for i in range(TRACE_ITERATIONS):
-        if y < wheel.start:
-            y = wheel.start
-        if y > wheel.stop:
-            y = wheel.stop
+        y = min(max(y, wheel.start), wheel.stop)
         z, slope, bend = height_slope_bend(wheel, y)
         y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
         across = y_track - left

@@ -5,7 +5,7 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Region, State, Tables
+from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Region, Tables
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
@@ -39,14 +39,12 @@ def width_limit(region: Region, direction: float):
 
 def width_tolerance(estimate: float):
     """Tolerance of the traces [m] for an estimated half-width [m]."""
-    tolerance = TRACE_OF_WIDTH * estimate
-    if tolerance > WIDTH_TRACE:
-        tolerance = WIDTH_TRACE
+    tolerance = min(TRACE_OF_WIDTH * estimate, WIDTH_TRACE)
     return tolerance
 
 
-def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State,
-               direction: float, level: float, estimate: float):
+def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
+               estimate: float):
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
     bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
 
@@ -69,10 +67,9 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
     if frame.pressed:
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
-        if width > limit:
-            width = limit
-        gap, rate, bend, curvature = separation(tables, frame, origin, state,
-                                                region.station + direction * width, tolerance)
+        width = min(width, limit)
+        gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
+                                                tolerance)
         if gap >= NO_GAP:
             # beyond an end the traces are lost
             start_traces(frame, station, abscissa, y)
@@ -106,22 +103,18 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
     return width
 
 
-def measure_widths(tables: Tables, contact: Contact, state: State, region: Region, local_penetration: float):
+def measure_widths(tables: Tables, contact: Contact, region: Region, local_penetration: float):
     """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
     both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
-    bend = region.bend
-    if bend < LEAST_BEND * region.curvature:
-        bend = LEAST_BEND * region.curvature
-    if bend > MOST_BEND * region.curvature:
-        bend = MOST_BEND * region.curvature
+    bend = min(max(region.bend, LEAST_BEND * region.curvature), MOST_BEND * region.curvature)
     low = sqrt(2.0 * local_penetration / bend)
     high = low
     if region.width_penetration > 0.0:
         grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
-    high = zone_width(tables, contact.frame, contact.origin, region, state, 1.0, local_penetration, high)
+    high = zone_width(tables, contact.frame, contact.origin, region, 1.0, local_penetration, high)
     high_reached = region.reached
     slant = 0.0
     start = contact.frame.station
@@ -130,7 +123,7 @@ def measure_widths(tables: Tables, contact: Contact, state: State, region: Regio
         slant = outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
     if not region.width_penetration > 0.0:
         low = high
-    low = zone_width(tables, contact.frame, contact.origin, region, state, -1.0, local_penetration, low)
+    low = zone_width(tables, contact.frame, contact.origin, region, -1.0, local_penetration, low)
     if yawed:
         slant -= outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
         if start > contact.frame.station:
@@ -148,8 +141,6 @@ def side_curvature(reached: float, own: float, mean: float):
     enlarged where that side is the narrower, up to NARROWER times."""
     curvature = 0.0
     if own > 0.0:
-        ratio = mean / own
-        if ratio > NARROWER:
-            ratio = NARROWER
+        ratio = min(mean / own, NARROWER)
         curvature = reached / (own * own) * ratio * ratio
     return curvature

@@ -39,7 +39,7 @@ from typing import Final
 
 from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip, Tables
 from .correction import correct_force
-from .march import march_strips, open_marches, set_pushes, set_stick
+from .march import NOTHING, march_strips, open_marches, set_pushes, set_stick
 from .stiffness import find_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
@@ -48,11 +48,9 @@ LATER: Final[float] = 0.08
 #: Share of the strip over which its stick zone fades.
 FADE: Final[float] = 0.1
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
-FLOOR: Final[float] = 0.3
+SPREAD_FLOOR: Final[float] = 0.3
 FLOOR_RATIO: Final[float] = 4.5
 FLOOR_TWIST: Final[float] = 1.5
-#: In place of no slip at all.
-NOTHING: Final[float] = 1e-300
 
 
 def find_stick_zone(march: RollingMarch, width: float, ratio: float):
@@ -70,8 +68,7 @@ def find_stick_zone(march: RollingMarch, width: float, ratio: float):
     v *= share
     k *= share
     depth, weight = slip_depth(u * u + share * share * spread, v, k, a)
-    if first_weight < weight:
-        weight = first_weight
+    weight = min(weight, first_weight)
     march.depth = a
     march.weight = 0.0
     march.twist = k
@@ -88,13 +85,9 @@ def find_stick_zone(march: RollingMarch, width: float, ratio: float):
 def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
     """s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m."""
     over_width = march.along * march.spin * scale
-    twist = fabs(k)
-    if twist > FLOOR_TWIST:
-        twist = FLOOR_TWIST
-    long = ratio / FLOOR_RATIO
-    if long > 1.0:
-        long = 1.0
-    floor = FLOOR * long * twist * twist * march.half_length
+    twist = min(fabs(k), FLOOR_TWIST)
+    long = min(ratio / FLOOR_RATIO, 1.0)
+    floor = SPREAD_FLOOR * long * twist * twist * march.half_length
     return over_width * over_width / 6.0 + floor * floor
 
 
@@ -151,7 +144,7 @@ def smooth_step(z: float):
     return value
 
 
-def solve_strips(tables: Tables, rolling: Rolling, patch: Patch):
+def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
     find_stiffnesses(tables, rolling, patch)
     add_strips(tables, rolling, patch)
@@ -217,8 +210,7 @@ def finish_marches(rolling: Rolling, patch: Patch):
         strip = patch.strips[i]
         unit = bound_rate(patch, strip) * strip.half_length
         square = marches.largest[i] * unit * unit
-        if square > largest:
-            largest = square
+        largest = max(largest, square)
         if unit > 0.0:
             unit *= point_weight(strip)
             add_strip(patch, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],

@@ -2,7 +2,7 @@
 
 from ..layout import (ROLLING_STRIP_LIMIT, TANGENTIAL_FASTRIP, TANGENTIAL_FASTSIM, TANGENTIAL_POLACH,
                       TANGENTIAL_STRIPS, Patch, Rolling, Tables)
-from .coupled_strips import solve_strips
+from .coupled_strips import solve_coupled_strips
 from .cut import clear_creep
 from .fastrip import solve_fastrip
 from .fastsim import solve_fastsim
@@ -21,7 +21,7 @@ def solve_creep_force(tables: Tables, rolling: Rolling, patch: Patch):
         if patch.backwards:
             mirror_rolling(patch)
         if tables.tangential == TANGENTIAL_STRIPS:
-            solve_strips(tables, rolling, patch)
+            solve_coupled_strips(tables, rolling, patch)
         elif tables.tangential == TANGENTIAL_FASTSIM:
             solve_fastsim(tables, rolling, patch)
         elif tables.tangential == TANGENTIAL_FASTRIP:

@@ -20,8 +20,8 @@ from ..layout import ROLLING_STRIP_LIMIT, RULE_ELLIPSE, Patch, SolvedStrips
 #: cos(pi / 16), for ROLLING_STRIP_LIMIT strips.
 COSINE: Final[float] = 0.98078528040323044913
 #: Patches shorter or longer than this, length over width, count as so short or so long.
-SHORTEST: Final[float] = 0.05
-LONGEST: Final[float] = 40.0
+SHORTEST_PATCH: Final[float] = 0.05
+LONGEST_PATCH: Final[float] = 40.0
 
 
 def cut_patch(patch: Patch, strips: SolvedStrips):
@@ -29,7 +29,7 @@ def cut_patch(patch: Patch, strips: SolvedStrips):
     friction stay."""
     totals = patch.totals
     describe_ellipse(patch)
-    lay_strips(patch, totals.start, totals.stop)
+    divide_patch(patch, totals.start, totals.stop)
     if totals.width > 0.0:
         if patch.rule == RULE_ELLIPSE:
             cut_ellipse(patch)
@@ -60,16 +60,12 @@ def describe_ellipse(patch: Patch):
     patch.half_length = 0.0
     patch.half_width = 0.0
     if totals.width > 0.0 and totals.max_half_length > 0.0:
-        ratio = 2.0 * totals.max_half_length / totals.width
-        if ratio < SHORTEST:
-            ratio = SHORTEST
-        if ratio > LONGEST:
-            ratio = LONGEST
+        ratio = min(max(2.0 * totals.max_half_length / totals.width, SHORTEST_PATCH), LONGEST_PATCH)
         patch.half_length = sqrt(totals.area / pi * ratio)
         patch.half_width = sqrt(totals.area / pi / ratio)
 
 
-def lay_strips(patch: Patch, start: float, stop: float):
+def divide_patch(patch: Patch, start: float, stop: float):
     """Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
     cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t)."""
     middle = 0.5 * (start + stop)

@@ -109,8 +109,7 @@ def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip:
         bound = march.rate * a * table.sines[q]
         p_x, p_y = next_traction(march, x, bound)
         square = p_x * p_x + p_y * p_y
-        if square > march.largest:
-            march.largest = square
+        march.largest = max(march.largest, square)
         march.sum_x += table.sines[q] * p_x
         march.sum_y += table.sines[q] * p_y
         march.sum_moment += table.sines[q] * x * p_y

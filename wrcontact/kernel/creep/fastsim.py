@@ -78,8 +78,7 @@ def march_strip(table: RollingTable, patch: Patch, strip: RollingStrip, rate: fl
             stuck += weight
         total += weight
         square = p_x * p_x + p_y * p_y
-        if square > largest:
-            largest = square
+        largest = max(largest, square)
         force_x += weight * p_x
         force_y += weight * p_y
         moment += weight * x * p_y

@@ -47,10 +47,7 @@ def flange_share(tables: Tables, angle: float):
     """How much of the flange's friction there is at a contact ``angle`` [rad]: 0 on the tread, 1 on the
     flange, with a smooth slope."""
     share = 0.5 + 0.5 * (angle - tables.parameters.flange_friction_angle) / FLANGE_RANGE
-    if share < 0.0:
-        share = 0.0
-    if share > 1.0:
-        share = 1.0
+    share = min(max(share, 0.0), 1.0)
     return share * share * (3.0 - 2.0 * share)
 
 
@@ -94,15 +91,9 @@ def keep_dissipating(patch: Patch):
     model that takes the patch for one ellipse has no moment, which is a part of this power."""
     gain = creep_gain(patch)
     if gain > 0.0 and patch.spin != 0.0 and patch.creep_moment != 0.0:
-        reach = patch.half_length
-        if reach < patch.half_width:
-            reach = patch.half_width
+        reach = max(patch.half_length, patch.half_width)
         most = patch.friction * patch.totals.load * reach
-        moment = patch.creep_moment - gain / patch.spin
-        if moment > most:
-            moment = most
-        if moment < -most:
-            moment = -most
+        moment = max(min(patch.creep_moment - gain / patch.spin, most), -most)
         patch.creep_moment = moment
 
 

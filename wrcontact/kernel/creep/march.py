@@ -44,6 +44,7 @@ SHARE: Final[float] = 0.65
 SHARE_RATIO: Final[float] = 1.2
 #: Directions of tractions below this share of the bound fade; eq. (M5).
 SOFT: Final[float] = 0.05
+#: In place of no slip at all.
 NOTHING: Final[float] = 1e-300
 
 
@@ -194,9 +195,7 @@ def march_first(marches: RollingMarches, x: float, bound: float, step: float):
         at = x + marches.lag[i] * step
         along = marches.first_x[i] - step * marches.push_x[i]
         across = marches.first_y[i] - step * (marches.push_y[i] + marches.push_turn[i] * at)
-        square = along * along + across * across
-        if square < limit:
-            square = limit
+        square = max(along * along + across * across, limit)
         cut = bound / sqrt(square)
         marches.first_x[i] = cut * along
         marches.first_y[i] = cut * across
@@ -212,9 +211,7 @@ def march_second(marches: RollingMarches, x: float, bound: float, step: float):
         at = x + marches.lag[i] * step
         second_x = marches.second_x[i] - step * marches.centre_x[i]
         second_y = marches.second_y[i] - step * (marches.centre_y[i] + marches.centre_turn[i] * at)
-        square = second_x * second_x + second_y * second_y
-        if square < limit:
-            square = limit
+        square = max(second_x * second_x + second_y * second_y, limit)
         cut = bound / sqrt(square)
         second_x *= cut
         second_y *= cut
@@ -224,9 +221,7 @@ def march_second(marches: RollingMarches, x: float, bound: float, step: float):
         across = marches.first_y[i] + share * (second_y - marches.first_y[i])
         square = along * along + across * across
         scale = bound / sqrt((1.0 - SOFT * SOFT) * square + soft)
-        largest = marches.noted[i] * (square * scale * scale)
-        if largest < marches.largest[i]:
-            largest = marches.largest[i]
+        largest = max(marches.noted[i] * (square * scale * scale), marches.largest[i])
         marches.largest[i] = largest
         scale *= bound * marches.slips[i]
         marches.sum_x[i] += scale * along
@@ -309,8 +304,7 @@ def slip_traction(marches: RollingMarches, i: int, bound: float):
 def note_largest(marches: RollingMarches, i: int, p_x: float, p_y: float):
     """Keep the largest traction of strip ``i``."""
     square = p_x * p_x + p_y * p_y
-    if square > marches.largest[i]:
-        marches.largest[i] = square
+    marches.largest[i] = max(marches.largest[i], square)
 
 
 def sqrt_of(value: float):

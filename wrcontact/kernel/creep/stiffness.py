@@ -29,7 +29,7 @@ from .tractions import shape_place, shape_value
 #: Pairs of strips are at least as long as this share of the ellipse.
 SHORT: Final[float] = 1e-3
 #: Stiffnesses are at least this share of their mean.
-SOFT: Final[float] = 0.02
+SOFTEST: Final[float] = 0.02
 #: In place of no distance, whose roots have no slope.
 NEAREST: Final[float] = 1e-12
 #: ln(a/b) from where on spin's stiffness is no longer that of each strip, and where it is the mean.
@@ -112,9 +112,7 @@ def reach_beside(table: RollingTable, rolling: Rolling, i: int, j: int, near: fl
 def reaches(table: RollingTable, distance: float):
     """S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length, which is not
     negative."""
-    place = REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + NEAREST))
-    if not place < float(REACH_CELLS):
-        place = float(REACH_CELLS)
+    place = min(float(REACH_CELLS), REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + NEAREST)))
     cell = int(place)
     u = place - float(cell)
     at = REACH_ROW * cell
@@ -149,11 +147,7 @@ def solve_blocks(equations: BlockMatrix):
 
 def mean_share(ratio: float):
     """How much the mean counts in spin's stiffness, by a/b."""
-    share = (log(ratio) - OWN_UNTIL) / (MEAN_FROM - OWN_UNTIL)
-    if share < 0.0:
-        share = 0.0
-    if share > 1.0:
-        share = 1.0
+    share = min(max((log(ratio) - OWN_UNTIL) / (MEAN_FROM - OWN_UNTIL), 0.0), 1.0)
     return share
 
 
@@ -173,15 +167,14 @@ def spread_turning(blocks: RollingBlocks, share: float):
     for i in range(BLOCK_COUNT):
         block = blocks[i]
         block.turning += share * (mean / total - block.turning)
-        block.turning = not_below(block.turning, SOFT * mean / total)
-        block.along = not_below(block.along, SOFT * along / total)
-        block.across = not_below(block.across, SOFT * across / total)
+        block.turning = not_below(block.turning, SOFTEST * mean / total)
+        block.along = not_below(block.along, SOFTEST * along / total)
+        block.across = not_below(block.across, SOFTEST * across / total)
 
 
 def not_below(value: float, least: float):
     """The larger of both."""
-    if value < least:
-        value = least
+    value = max(value, least)
     return value
 
 

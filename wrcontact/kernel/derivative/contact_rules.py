@@ -10,7 +10,7 @@ from ..contact.pressed import LINE_SHARP, meet_wheel
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.widths import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
-from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Place, Region, SideSearch, State, Tables, Work
+from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Place, Region, SideSearch, Tables, Work
 from ..normal.analyn import load_regions, region_influence, region_load, solve_penetrations
 from ..normal.strip_pressures import eliminate
 from ..surface.locus import outline_jet
@@ -18,23 +18,23 @@ from ..surface.tables import height_slope_bend
 from .intrinsics import differentiated, held, moving, rate_of, seeded
 
 
-def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
-               level: float, estimate: float):
+def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
+               estimate: float):
     """``zone_width``: its Newton steps are followed as they are. A width that halving has found ends where a
     profile ends, and stays on that point; or else where the gap has risen by ``level``."""
-    width = differentiated(zone_width(tables, frame, origin, region, state, direction, level, estimate))
+    width = differentiated(zone_width(tables, frame, origin, region, direction, level, estimate))
     limit = width_limit(region, direction)
     if width < limit and region.reached != level:
         inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
         tolerance = width_tolerance(held(estimate))
-        gap, rate = width_jet(tables, frame, origin, region, state, direction, inner, tolerance)
+        gap, rate = width_jet(tables, frame, origin, region, direction, inner, tolerance)
         rail_rate = rate_of(frame.traces[RAIL].abscissa)
         wheel_rate = rate_of(frame.traces[WHEEL].abscissa)
         missing = rate_of(level - gap + region.gap)
         moved = 0.0
         if rate * direction > 0.0:
             moved = missing / held(rate * direction)
-        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, 1.0), tolerance)
+        gap, rate = width_jet(tables, frame, origin, region, direction, seeded(inner, 1.0), tolerance)
         x = frame.traces[RAIL].abscissa
         y = frame.traces[WHEEL].abscissa
         out = rate_of(x) - rail_rate
@@ -43,19 +43,18 @@ def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
         out = rate_of(y) - wheel_rate
         if out != 0.0 and (y < tables.wheel.start + WIDTH_TRACE or y > tables.wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
-        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, moved),
-                              tolerance)
+        gap, rate = width_jet(tables, frame, origin, region, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
         region.reached = moving(region.reached, gap - region.gap)
     return width
 
 
-def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
-              width: float, tolerance: float):
+def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, width: float,
+              tolerance: float):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
     ``zone_width`` measures it."""
     start_traces(frame, region.station, region.rail, region.wheel)
-    gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width,
+    gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
                                             tolerance)
     return gap, rate
 
@@ -134,10 +133,9 @@ def turning_rule(tables: Tables, place: Place, x: float, y: float, height: float
     return found_x, y, overlap, found
 
 
-def overlaps_rule(tables: Tables, overlap: Overlap, side: SideSearch, state: State,
-                  height: float):
+def overlaps_rule(tables: Tables, overlap: Overlap, side: SideSearch, height: float):
     """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
-    count = find_overlaps(tables, overlap, side, state, height)
+    count = find_overlaps(tables, overlap, side, height)
     for entry in range(count):
         point = overlap.points[entry]
         x, y, depth, found = turning_rule(tables, side.place, point.rail, point.wheel, height)
@@ -154,7 +152,7 @@ def overlaps_rule(tables: Tables, overlap: Overlap, side: SideSearch, state: Sta
     return count
 
 
-def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float,
+def penetrations_rule(work: Work, tables: Tables, count: int, force: float, penetration: float,
                       prescribed: bool):
     """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap -
     sum of pushes, and of all the load is the force.
@@ -165,8 +163,7 @@ def penetrations_rule(work: Work, tables: Tables, state: State, count: int, forc
     regions = work.contact.regions
     nodes = work.contact.nodes
     given = penetration
-    penetration, satisfied = solve_penetrations(tables, regions, nodes, state, count, force, penetration,
-                                          prescribed)
+    penetration, satisfied = solve_penetrations(tables, regions, nodes, count, force, penetration, prescribed)
     if not satisfied:
         return penetration, satisfied
     size = count + 1

@@ -15,7 +15,7 @@ they speak of rates.
 
 from math import cos, fabs, sin
 
-from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, State, Tables, Work
+from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import is_damped, load_at_height
@@ -118,18 +118,17 @@ def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
     return seeded(roll, roll_rate)
 
 
-def follow_position(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
-                    height: float):
+def follow_position(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float):
     """Both sides of an elastic wheelset at ``roll`` and ``height``, each under its load."""
     set_reference(work.sides, height)
     place_moving(left_tables, right_tables, work, roll)
     follow_minimum(left_tables, work, 0)
-    balance_side(left_tables, work, state, 0, side_force(work, 0), height)
+    balance_side(left_tables, work, 0, side_force(work, 0), height)
     follow_minimum(right_tables, work, 1)
-    balance_side(right_tables, work, state, 1, side_force(work, 1), height)
+    balance_side(right_tables, work, 1, side_force(work, 1), height)
 
 
-def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
     """The elastic position: the residuals of both sides' heights vanish, over height and roll.
 
     Whether it does not: then the wheelset is where a side's load jumps past its force
@@ -139,15 +138,15 @@ def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state:
     height = work.wheelset.vertical_shift
     left = work.supports[0]
     right = work.supports[1]
-    follow_position(left_tables, right_tables, work, state, held(roll), held(height))
+    follow_position(left_tables, right_tables, work, held(roll), held(height))
     if fabs(left.height - height) + fabs(right.height - height) > UNBALANCED:
         return True
     residual_left = rate_of(left.height)
     residual_right = rate_of(right.height)
-    follow_position(left_tables, right_tables, work, state, held(roll), seeded(height, 1.0))
+    follow_position(left_tables, right_tables, work, held(roll), seeded(height, 1.0))
     left_height = rate_of(left.height) - residual_left - 1.0
     right_height = rate_of(right.height) - residual_right - 1.0
-    follow_position(left_tables, right_tables, work, state, seeded(roll, 1.0), held(height))
+    follow_position(left_tables, right_tables, work, seeded(roll, 1.0), held(height))
     left_roll = rate_of(left.height) - residual_left
     right_roll = rate_of(right.height) - residual_right
     determinant = left_height * right_roll - right_height * left_roll
@@ -155,14 +154,13 @@ def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work, state:
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
-    follow_position(left_tables, right_tables, work, state, seeded(roll, roll_rate),
-                    seeded(height, height_rate))
+    follow_position(left_tables, right_tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
     return False
 
 
-def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work):
     """Both sides of a wheelset at the height and roll of the inputs."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
@@ -173,19 +171,19 @@ def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work, stat
     if is_damped(right_tables):
         open_given_motion(left_tables, right_tables, work)
     follow_minimum(left_tables, work, 0)
-    load_at_height(left_tables, work, state, 0, height)
+    load_at_height(left_tables, work, 0, height)
     follow_minimum(right_tables, work, 1)
-    load_at_height(right_tables, work, state, 1, height)
+    load_at_height(right_tables, work, 1, height)
 
 
-def differentiate(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+def differentiate(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
     left it; whether the rates are not defined (``follow_elastic``)."""
-    outcome = follow_wheelset(left_tables, right_tables, work, state)
+    outcome = follow_wheelset(left_tables, right_tables, work)
     if carries_friction(right_tables, work):
         for i in range(LOAD_RATES):
             follow_load(work)
-            outcome = follow_wheelset(left_tables, right_tables, work, state)
+            outcome = follow_wheelset(left_tables, right_tables, work)
     report(right_tables, work)
     return outcome
 
@@ -200,7 +198,7 @@ def follow_load(work: Work):
                                        - held(support.friction_load) * rate_of(share) / held(share))
 
 
-def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
     """Contact of both wheels, resultant, creepages and creep forces with their rates; whether the rates are
     not defined."""
     mode = right_tables.mode
@@ -212,12 +210,12 @@ def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state
         place_moving(left_tables, right_tables, work, roll)
         follow_minimum(left_tables, work, 0)
         follow_minimum(right_tables, work, 1)
-        solve_rigid(left_tables, right_tables, work, state, roll)
+        solve_rigid(left_tables, right_tables, work, roll)
     if mode == MODE_ELASTIC:
-        outcome = follow_elastic(left_tables, right_tables, work, state)
+        outcome = follow_elastic(left_tables, right_tables, work)
     if mode == MODE_COMPLIANT:
-        follow_compliant(left_tables, right_tables, work, state)
-    move_patches(left_tables, right_tables, work, state)
+        follow_compliant(left_tables, right_tables, work)
+    move_patches(left_tables, right_tables, work)
     rub_patches(left_tables, right_tables, work)
     sum_forces(right_tables, work)
     return outcome

@@ -34,7 +34,7 @@ static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_d
 
 /* contact/frame.py */
 static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift);
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
 static inline bool frame__is_yawed(array_double_1d work);
 static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot);
 static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot);
@@ -42,13 +42,13 @@ static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region);
 static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state);
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables);
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
 static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry);
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, array_double_1d state, int64_t node, int64_t direction, double height, int64_t first);
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
 
 /* contact/overlaps.py */
 static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
@@ -67,31 +67,31 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place);
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height);
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height);
 
 /* contact/pressed.py */
-static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
+static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
 static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
 static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
 static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double penetration);
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state);
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables);
 
 /* contact/separation.py */
 static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
 static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables);
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind);
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance);
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind);
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
 
 /* contact/traces.py */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);
@@ -104,9 +104,9 @@ static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double
 /* contact/widths.py */
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate);
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate);
 static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration);
 
 
 /* ---- From contact/curves.py; change that one.
@@ -193,14 +193,7 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, 
 {
     int64_t profile;
     profile = curves__curve_profile(tables, curve);
-    if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
-    {
-        u = (*cspan_at(&tables, profile + layout__PROFILE_START));
-    }
-    if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
-    {
-        u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-    }
+    u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
     return u;
 }
 
@@ -690,11 +683,7 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        lower = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-        if (lower > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))
-        {
-            lower = (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH));
-        }
+        lower = double_min(2, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)));
         if ((depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth) || (lower - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__LEAST_HUMP))
         {
             less = entry;
@@ -782,15 +771,7 @@ static inline int64_t deep_points__follow_saddle(array_double_1d work, array_dou
     double depth;
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
-    reach = deep_points__FOLLOWED;
-    if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
-    {
-        reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    }
-    if ((*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) < reach)
-    {
-        reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    }
+    reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
     pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
     if (!turned)
     {
@@ -870,7 +851,7 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     double rail_height;
     double rail_rate;
@@ -880,7 +861,7 @@ static inline int64_t frame__normal_gap(double* gap, double* result_1, double* r
     double wheel_rate;
     double wheel_bend;
     bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
     traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
@@ -985,13 +966,13 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
 }
 
 /* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables, array_double_1d state)
+static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
-    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, frame__PLACE_TRACE);
+    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0, frame__PLACE_TRACE);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
@@ -1078,7 +1059,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, arr
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
  * above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, array_double_1d state, int64_t node, int64_t direction, double height, int64_t first)
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
 {
     int64_t count;
     int64_t exponent;
@@ -1096,7 +1077,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
     while((node >= INT64_C(0)) && (node < count) && (entry > INT64_C(0)) && (entry < INT64_C(2) * layout__OVERLAP_LIMIT - INT64_C(1)))
     {
         overlap_samples__sample_overlap(&gap, &mismatch, &abscissa, work, tables, place, node, height, entry);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, place + layout__PLACE_GAP_COUNT)) += 1.0;
         on_rail = gap__above_rail(tables, abscissa);
         if (!on_rail)
         {
@@ -1152,7 +1133,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
 /* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
  * number.
  */
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height)
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height)
 {
     int64_t place;
     int64_t node;
@@ -1165,8 +1146,8 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
-    start = overlap_samples__walk_overlap(work, tables, place, state, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
-    stop = overlap_samples__walk_overlap(work, tables, place, state, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
+    start = overlap_samples__walk_overlap(work, tables, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
+    stop = overlap_samples__walk_overlap(work, tables, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
@@ -1723,7 +1704,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overla
  * derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
  * 1/m]; and whether there is such a point.
  */
-static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
+static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
 {
     int64_t wheel;
     double z_rail;
@@ -1823,14 +1804,7 @@ static OUT_OF_LINE int64_t pressed__meet_wheel(double* result_0_0001, double* re
             (*result_7_0001) = 1;
             return 0;
         }
-        if (move > pressed__LINE_STEP)
-        {
-            move = pressed__LINE_STEP;
-        }
-        if (move < -pressed__LINE_STEP)
-        {
-            move = -pressed__LINE_STEP;
-        }
+        move = double_max(2, double_min(2, move, pressed__LINE_STEP), -pressed__LINE_STEP);
         y += move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
@@ -1877,14 +1851,8 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
         wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
         low = y - blur;
         high = y + blur;
-        if (low < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-        {
-            low = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        }
-        if (high > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-        {
-            high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        }
+        low = double_max(2, low, (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+        high = double_min(2, high, (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
         tables__height_slope(&z, &low_slope, tables, wheel, low);
         tables__height_slope(&z, &high_slope, tables, wheel, high);
         bend = (high_slope - low_slope) / (high - low);
@@ -1896,7 +1864,7 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
  * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
  * pressed wheel.
  */
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station)
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station)
 {
     int64_t rail;
     double way;
@@ -1909,7 +1877,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     double rise_rate;
     double found_curvature;
     bool found;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
@@ -1943,14 +1911,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
 /* ``step``, no longer than ``limit`` either way. */
 static OUT_OF_LINE double pressed__limited(double step, double limit)
 {
-    if (step > limit)
-    {
-        step = limit;
-    }
-    if (step < -limit)
-    {
-        step = -limit;
-    }
+    step = double_max(2, double_min(2, step, limit), -limit);
     return step;
 }
 
@@ -2071,12 +2032,12 @@ static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, do
 /* Press the wheel of the open frame, which just touches, straight down until its contact point is
  * ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail.
  */
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double penetration)
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration)
 {
     double height;
     int64_t count;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    count = overlaps__find_overlaps(work, tables, side, state, height);
+    count = overlaps__find_overlaps(work, tables, side, height);
     pressed_regions__press_frame(work, height, penetration, 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
     return count;
@@ -2153,7 +2114,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
  * frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
  * point where it just touched.
  */
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state)
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables)
 {
     int64_t contact;
     int64_t index;
@@ -2177,7 +2138,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
             pressed_regions__give_own_frame(work, tables, region, point);
         }
         traces__start_traces(work, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
-        pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0);
+        pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
         (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
@@ -2328,7 +2289,7 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
 /* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
  * region's minimum.
  */
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind)
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind)
 {
     bool exists;
     double lost;
@@ -2337,7 +2298,7 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     double z;
     double slope;
     double wheel_bend;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
         separation__vertical_rise(gap, rate, bend, &exists, work, tables, station);
@@ -2370,21 +2331,21 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, double tolerance)
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        frame__normal_gap(gap, rate, bend, curvature, work, tables, state, station, tolerance);
+        frame__normal_gap(gap, rate, bend, curvature, work, tables, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(gap, rate, bend, curvature, work, tables, state, station);
+        pressed__pressed_gap(gap, rate, bend, curvature, work, tables, station);
     }
     else
     {
-        separation__moved_separation(gap, rate, bend, curvature, work, tables, state, station, kind);
+        separation__moved_separation(gap, rate, bend, curvature, work, tables, station, kind);
     }
     return 0;
 }
@@ -2454,14 +2415,7 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
-        {
-            u = (*cspan_at(&tables, profile + layout__PROFILE_START));
-        }
-        if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
-        {
-            u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-        }
+        u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
         tables__height_slope_bend(&height, &slope, &bend, tables, profile, u);
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
@@ -2576,14 +2530,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     outline_rate = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-        {
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        }
-        if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-        {
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        }
+        y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
         across = y_track - left;
@@ -2637,11 +2584,7 @@ static inline double widths__width_limit(array_double_1d work, int64_t region, d
 static inline double widths__width_tolerance(double estimate)
 {
     double tolerance;
-    tolerance = widths__TRACE_OF_WIDTH * estimate;
-    if (tolerance > widths__WIDTH_TRACE)
-    {
-        tolerance = widths__WIDTH_TRACE;
-    }
+    tolerance = double_min(2, widths__TRACE_OF_WIDTH * estimate, widths__WIDTH_TRACE);
     return tolerance;
 }
 
@@ -2651,7 +2594,7 @@ static inline double widths__width_tolerance(double estimate)
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
  * chosen separation, with arcs in place of the chords whose length follows from this width.
  */
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate)
+static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate)
 {
     double limit;
     double tolerance;
@@ -2692,11 +2635,8 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
     }
     for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
-        if (width > limit)
-        {
-            width = limit;
-        }
-        separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
+        width = double_min(2, width, limit);
+        separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
@@ -2754,7 +2694,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
  * both sides that follow from them, and the station its load is thought to act at.
  */
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration)
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration)
 {
     double bend;
     double low;
@@ -2765,15 +2705,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
     double start;
     bool yawed;
     /* the first guess: the gap's own second derivative, as far as it is a usual one */
-    bend = (*cspan_at(&work, region + layout__REGION_BEND));
-    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
-    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-    {
-        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    }
+    bend = double_min(2, double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE))), widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     low = sqrt(2.0 * local_penetration / bend);
     high = low;
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
@@ -2782,7 +2714,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    high = widths__zone_width(work, tables, region, state, 1.0, local_penetration, high);
+    high = widths__zone_width(work, tables, region, 1.0, local_penetration, high);
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant = 0.0;
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
@@ -2795,7 +2727,7 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
     {
         low = high;
     }
-    low = widths__zone_width(work, tables, region, state, -1.0, local_penetration, low);
+    low = widths__zone_width(work, tables, region, -1.0, local_penetration, low);
     if (yawed)
     {
         slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
@@ -2823,11 +2755,7 @@ static inline double widths__side_curvature(double reached, double own, double m
     curvature = 0.0;
     if (own > 0.0)
     {
-        ratio = mean / own;
-        if (ratio > widths__NARROWER)
-        {
-            ratio = widths__NARROWER;
-        }
+        ratio = double_min(2, mean / own, widths__NARROWER);
         curvature = reached / (own * own) * ratio * ratio;
     }
     return curvature;

@@ -23,7 +23,7 @@ static inline int64_t coupled_strips__flexibilities(double* result_0, double* re
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t patch, int64_t strip, double rate, int64_t index);
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/creep_force.py */
 static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
@@ -39,7 +39,7 @@ static inline double creepage__approach_rate(array_double_1d work, int64_t motio
 
 /* creep/cut.py */
 static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t cut__lay_strips(array_double_1d work, int64_t patch, double start, double stop);
+static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
 static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
 static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
 static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
@@ -369,10 +369,7 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, doub
     v *= share;
     k *= share;
     coupled_strips__slip_depth(&depth, &weight, u * u + share * share * spread, v, k, a);
-    if (first_weight < weight)
-    {
-        weight = first_weight;
-    }
+    weight = double_min(2, weight, first_weight);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
@@ -381,8 +378,8 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, doub
     if ((weight > 0.0) && (depth < a))
     {
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = u / (depth + coupled_strips__NOTHING);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + coupled_strips__NOTHING) + k;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = u / (depth + march__NOTHING);
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + march__NOTHING) + k;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work);
     }
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
@@ -397,17 +394,9 @@ static inline double coupled_strips__spread_square(array_double_1d work, double 
     double long_0001;
     double floor;
     over_width = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * scale;
-    twist = fabs(k);
-    if (twist > coupled_strips__FLOOR_TWIST)
-    {
-        twist = coupled_strips__FLOOR_TWIST;
-    }
-    long_0001 = ratio / coupled_strips__FLOOR_RATIO;
-    if (long_0001 > 1.0)
-    {
-        long_0001 = 1.0;
-    }
-    floor = coupled_strips__FLOOR * long_0001 * twist * twist * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    twist = double_min(2, fabs(k), coupled_strips__FLOOR_TWIST);
+    long_0001 = double_min(2, ratio / coupled_strips__FLOOR_RATIO, 1.0);
+    floor = coupled_strips__SPREAD_FLOOR * long_0001 * twist * twist * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
     return over_width * over_width / 6.0 + floor * floor;
 }
 
@@ -430,11 +419,11 @@ static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, 
         root = sqrt(spread);
         if (cross <= 0.0)
         {
-            (*depth) = (square + v * v) / (root - cross + coupled_strips__NOTHING);
+            (*depth) = (square + v * v) / (root - cross + march__NOTHING);
             (*weight) = 1.0;
             if (rest < 0.0)
             {
-                (*weight) = coupled_strips__smooth_step(spread / (v * v + coupled_strips__NOTHING));
+                (*weight) = coupled_strips__smooth_step(spread / (v * v + march__NOTHING));
             }
         }
         else if (rest > 0.0)
@@ -499,7 +488,7 @@ static inline double coupled_strips__smooth_step(double z)
 }
 
 /* Force, moment, stick share and largest traction of a patch. */
-static inline int64_t coupled_strips__solve_strips(array_double_1d work, array_double_1d tables, int64_t patch)
+static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
     stiffness__find_stiffnesses(work, tables, patch);
     coupled_strips__add_strips(work, tables, patch);
@@ -600,10 +589,7 @@ static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         unit = tractions__bound_rate(work, patch, strip) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         square = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit * unit;
-        if (square > largest)
-        {
-            largest = square;
-        }
+        largest = double_max(2, largest, square);
         if (unit > 0.0)
         {
             unit *= tractions__point_weight(work, strip);
@@ -636,7 +622,7 @@ static inline int64_t creep_force__solve_creep_force(array_double_1d work, array
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            coupled_strips__solve_strips(work, tables, patch);
+            coupled_strips__solve_coupled_strips(work, tables, patch);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
@@ -854,7 +840,7 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     cut__describe_ellipse(work, patch);
-    cut__lay_strips(work, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
+    cut__divide_patch(work, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
         if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
@@ -902,15 +888,7 @@ static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
     (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = 0.0;
     if (((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0) && ((*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > 0.0))
     {
-        ratio = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-        if (ratio < cut__SHORTEST)
-        {
-            ratio = cut__SHORTEST;
-        }
-        if (ratio > cut__LONGEST)
-        {
-            ratio = cut__LONGEST;
-        }
+        ratio = double_min(2, double_max(2, 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)), cut__SHORTEST_PATCH), cut__LONGEST_PATCH);
         (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = sqrt((*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio);
         (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = sqrt((*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI / ratio);
     }
@@ -920,7 +898,7 @@ static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
 /* Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
  * cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t).
  */
-static inline int64_t cut__lay_strips(array_double_1d work, int64_t patch, double start, double stop)
+static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop)
 {
     double middle;
     double half;
@@ -1256,10 +1234,7 @@ static inline int64_t fastrip__add_tractions(array_double_1d tables, array_doubl
         bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
         fastrip__next_traction(&p_x, &p_y, work, x, bound);
         square = p_x * p_x + p_y * p_y;
-        if (square > (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)))
-        {
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = square;
-        }
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)), square);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x * p_y;
@@ -1435,10 +1410,7 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
         }
         total += weight;
         square = p_x * p_x + p_y * p_y;
-        if (square > largest)
-        {
-            largest = square;
-        }
+        largest = double_max(2, largest, square);
         force_x += weight * p_x;
         force_y += weight * p_y;
         moment += weight * x * p_y;
@@ -1502,14 +1474,7 @@ static inline double friction__flange_share(array_double_1d tables, double angle
 {
     double share;
     share = 0.5 + 0.5 * (angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE))) / friction__FLANGE_RANGE;
-    if (share < 0.0)
-    {
-        share = 0.0;
-    }
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
+    share = double_min(2, double_max(2, share, 0.0), 1.0);
     return share * share * (3.0 - 2.0 * share);
 }
 
@@ -1580,21 +1545,9 @@ static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t p
     gain = friction__creep_gain(work, patch);
     if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
     {
-        reach = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-        if (reach < (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)))
-        {
-            reach = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-        }
+        reach = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)), (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
         most = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * reach;
-        moment = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - gain / (*cspan_at(&work, patch + layout__PATCH_SPIN));
-        if (moment > most)
-        {
-            moment = most;
-        }
-        if (moment < -most)
-        {
-            moment = -most;
-        }
+        moment = double_max(2, double_min(2, (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - gain / (*cspan_at(&work, patch + layout__PATCH_SPIN)), most), -most);
         (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = moment;
     }
     return INT64_C(0);
@@ -1890,11 +1843,7 @@ static inline int64_t march__march_first(array_double_1d work, double x, double 
         at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
         along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i));
         across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at);
-        square = along * along + across * across;
-        if (square < limit)
-        {
-            square = limit;
-        }
+        square = double_max(2, along * along + across * across, limit);
         cut = bound / sqrt(square);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
@@ -1928,11 +1877,7 @@ static inline int64_t march__march_second(array_double_1d work, double x, double
         at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
         second_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
         second_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at);
-        square = second_x * second_x + second_y * second_y;
-        if (square < limit)
-        {
-            square = limit;
-        }
+        square = double_max(2, second_x * second_x + second_y * second_y, limit);
         cut = bound / sqrt(square);
         second_x *= cut;
         second_y *= cut;
@@ -1942,11 +1887,7 @@ static inline int64_t march__march_second(array_double_1d work, double x, double
         across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * (second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)));
         square = along * along + across * across;
         scale = bound / sqrt((1.0 - march__SOFT * march__SOFT) * square + soft);
-        largest = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale);
-        if (largest < (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)))
-        {
-            largest = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-        }
+        largest = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
         scale *= bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) += scale * along;
@@ -2071,10 +2012,7 @@ static inline int64_t march__note_largest(array_double_1d work, int64_t i, doubl
 {
     double square;
     square = p_x * p_x + p_y * p_y;
-    if (square > (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)))
-    {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = square;
-    }
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)), square);
     return INT64_C(0);
 }
 
@@ -2600,11 +2538,7 @@ static inline int64_t stiffness__reaches(double* result_0, double* result_1, dou
     int64_t cell;
     double u;
     int64_t at;
-    place = layout__REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + stiffness__NEAREST));
-    if (!(place < (double)(layout__REACH_CELLS)))
-    {
-        place = (double)(layout__REACH_CELLS);
-    }
+    place = double_min(2, (double)(layout__REACH_CELLS), layout__REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + stiffness__NEAREST)));
     cell = (int64_t)(place);
     u = place - (double)(cell);
     at = layout__REACH_ROW * cell;
@@ -2670,15 +2604,7 @@ static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equa
 static inline double stiffness__mean_share(double ratio)
 {
     double share;
-    share = (log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL);
-    if (share < 0.0)
-    {
-        share = 0.0;
-    }
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
+    share = double_min(2, double_max(2, (log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL), 0.0), 1.0);
     return share;
 }
 
@@ -2709,9 +2635,9 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) += share * (mean / total - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), stiffness__SOFT * mean / total);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), stiffness__SOFT * along / total);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), stiffness__SOFT * across / total);
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), stiffness__SOFTEST * mean / total);
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), stiffness__SOFTEST * along / total);
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), stiffness__SOFTEST * across / total);
     }
     return INT64_C(0);
 }
@@ -2719,10 +2645,7 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
 /* The larger of both. */
 static inline double stiffness__not_below(double value, double least)
 {
-    if (value < least)
-    {
-        value = least;
-    }
+    value = double_max(2, value, least);
     return value;
 }
 

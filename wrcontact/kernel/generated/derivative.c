@@ -233,7 +233,7 @@ static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* r
 }
 
 /* Derivative of ``follow_position``. */
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
 {
     double v1;
     double v1_t;
@@ -243,15 +243,15 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
     derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
     derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
     derivative_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
-    derivative_trial__balance_side_t(left_tables, work, work_t, state, INT64_C(0), v1, v1_t, height, height_t);
+    derivative_trial__balance_side_t(left_tables, work, work_t, INT64_C(0), v1, v1_t, height, height_t);
     derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
     derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(1));
-    derivative_trial__balance_side_t(right_tables, work, work_t, state, INT64_C(1), v2, v2_t, height, height_t);
+    derivative_trial__balance_side_t(right_tables, work, work_t, INT64_C(1), v2, v2_t, height, height_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``follow_elastic``. */
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     double roll_t;
     double roll;
@@ -272,17 +272,17 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
     height_t = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 0.0, height, 0.0);
+    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 0.0, height, 0.0);
     if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
     {
         return 1;
     }
     residual_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
     residual_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 0.0, height, 1.0);
+    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 0.0, height, 1.0);
     left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left - 1.0;
     right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right - 1.0;
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, 1.0, height, 0.0);
+    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 1.0, height, 0.0);
     left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left;
     right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right;
     determinant = left_height * right_roll - right_height * left_roll;
@@ -292,7 +292,7 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
     }
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant;
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, state, roll, roll_rate, height, height_rate);
+    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, roll_rate, height, height_rate);
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_rate;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height_rate;
@@ -301,7 +301,7 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
 }
 
 /* Derivative of ``follow_compliant``. */
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     double roll_t;
     double roll;
@@ -322,27 +322,27 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
         derivative_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
     }
     derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
-    derivative_compliant__load_at_height_t(left_tables, work, work_t, state, INT64_C(0), height, height_t);
+    derivative_compliant__load_at_height_t(left_tables, work, work_t, INT64_C(0), height, height_t);
     derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
-    derivative_compliant__load_at_height_t(right_tables, work, work_t, state, INT64_C(1), height, height_t);
+    derivative_compliant__load_at_height_t(right_tables, work, work_t, INT64_C(1), height, height_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``differentiate``. */
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     bool n1;
     int64_t i;
     bool n2;
     bool outcome;
-    n1 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
+    n1 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t);
     outcome = n1;
     if (requested__carries_friction(right_tables, work))
     {
         for (i = INT64_C(0); i < requested__LOAD_RATES; i += INT64_C(1))
         {
             derivative_wheelset_rules__follow_load_t(work, work_t);
-            n2 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t, state);
+            n2 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t);
             outcome = n2;
         }
     }
@@ -371,7 +371,7 @@ static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d w
 }
 
 /* Derivative of ``follow_wheelset``. */
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t mode;
     double v1;
@@ -398,18 +398,18 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
         derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
         derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
-        derivative_rigid__solve_rigid_t(left_tables, right_tables, work, work_t, state, roll, roll_t);
+        derivative_rigid__solve_rigid_t(left_tables, right_tables, work, work_t, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        n3 = derivative_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t, state);
+        n3 = derivative_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t);
         outcome = n3;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        derivative_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t, state);
+        derivative_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t);
     }
-    derivative_rubbing__move_patches_t(left_tables, right_tables, work, work_t, state);
+    derivative_rubbing__move_patches_t(left_tables, right_tables, work, work_t);
     derivative_rubbing__rub_patches_t(left_tables, right_tables, work, work_t);
     derivative_forces__sum_forces_t(right_tables, work, work_t);
     return outcome;

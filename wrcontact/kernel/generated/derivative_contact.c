@@ -78,17 +78,27 @@ static inline int64_t derivative_curves__curve_speed_t(double* speed, double* sp
 static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t curve, double u, double u_t)
 {
     int64_t profile;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
     profile = curves__curve_profile(tables, curve);
-    if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
+    v1 = u;
+    v1_t = u_t;
+    if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v1)
     {
-        u_t = 0.0;
-        u = (*cspan_at(&tables, profile + layout__PROFILE_START));
+        v1 = (*cspan_at(&tables, profile + layout__PROFILE_START));
+        v1_t = 0.0;
     }
-    if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
+    v2 = v1;
+    v2_t = v1_t;
+    if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v2)
     {
-        u_t = 0.0;
-        u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+        v2 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+        v2_t = 0.0;
     }
+    u_t = v2_t;
+    u = v2;
     (*result_0) = u;
     (*result_1) = u_t;
     return 0;
@@ -587,6 +597,12 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d wo
     double v1;
     double y_t;
     double y;
+    double v2;
+    double v3;
+    double v3_t;
+    double v4;
+    double v5;
+    double v5_t;
     double reach_t;
     double reach;
     double x;
@@ -594,27 +610,33 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d wo
     double depth;
     double depth_t;
     bool turned;
-    double v2;
+    double v6;
     v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
     y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
     y = 0.5 * v1;
-    reach_t = 0.0;
-    reach = deep_points__FOLLOWED;
-    if ((*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) < reach)
+    v2 = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+    v3 = deep_points__FOLLOWED;
+    v3_t = 0.0;
+    if (v2 < v3)
     {
-        reach_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
-        reach = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+        v3 = v2;
+        v3_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
     }
-    if ((*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) < reach)
+    v4 = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+    v5 = v3;
+    v5_t = v3_t;
+    if (v4 < v5)
     {
-        reach_t = (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
-        reach = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+        v5 = v4;
+        v5_t = (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
     }
+    reach_t = v5_t;
+    reach = v5;
     derivative_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
     if (!turned)
     {
-        v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        derivative_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t, -1.0, 0.0);
+        v6 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
+        derivative_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t, -1.0, 0.0);
     }
     (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
@@ -717,8 +739,9 @@ static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, dou
 }
 
 /* Derivative of ``normal_gap``. */
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
 {
+    int64_t k1;
     double rail_height;
     double rail_height_t;
     double rail_rate;
@@ -733,7 +756,8 @@ static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t,
     double wheel_bend;
     double wheel_bend_t;
     bool on_wheel;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
@@ -856,7 +880,7 @@ static inline int64_t derivative_frame__incline_region_t(array_double_1d work, a
 }
 
 /* Derivative of ``measure_contact``. */
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     double gap;
     double gap_t;
@@ -866,7 +890,7 @@ static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, 
     double bend_t;
     double curvature;
     double curvature_t;
-    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
+    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
@@ -944,7 +968,7 @@ static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, doubl
 }
 
 /* Derivative of ``overlaps_rule``. */
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double height, double height_t)
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double height, double height_t)
 {
     int64_t n1;
     int64_t entry;
@@ -959,7 +983,7 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work,
     int64_t following;
     double v2;
     int64_t count;
-    n1 = overlaps__find_overlaps(work, tables, side, state, height);
+    n1 = overlaps__find_overlaps(work, tables, side, height);
     count = n1;
     for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
     {
@@ -1098,6 +1122,11 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
     double v24;
     double relative_kappa_t;
     double relative_kappa;
+    double v25;
+    double v25_t;
+    double v26;
+    double v27;
+    double v27_t;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
@@ -1232,16 +1261,23 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
             (*result_14_0001) = 1;
             return 0;
         }
-        if (move > pressed__LINE_STEP)
+        v25 = move;
+        v25_t = move_t;
+        if (pressed__LINE_STEP < v25)
         {
-            move_t = 0.0;
-            move = pressed__LINE_STEP;
+            v25 = pressed__LINE_STEP;
+            v25_t = 0.0;
         }
-        if (move < -pressed__LINE_STEP)
+        v26 = -pressed__LINE_STEP;
+        v27 = v25;
+        v27_t = v25_t;
+        if (v26 > v27)
         {
-            move_t = 0.0;
-            move = -pressed__LINE_STEP;
+            v27 = v26;
+            v27_t = 0.0;
         }
+        move_t = v27_t;
+        move = v27;
         y_t = y_t + move_t;
         y = y + move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
@@ -1292,15 +1328,19 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
     double low;
     double high_t;
     double high;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
     double z;
     double z_t;
     double low_slope;
     double low_slope_t;
     double high_slope;
     double high_slope_t;
-    double v1;
-    double v2;
     double v3;
+    double v4;
+    double v5;
     blur_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
@@ -1310,23 +1350,31 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
         low = y - blur;
         high_t = y_t + blur_t;
         high = y + blur;
-        if (low < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
+        v1 = low;
+        v1_t = low_t;
+        if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
         {
-            low_t = 0.0;
-            low = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v1_t = 0.0;
         }
-        if (high > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
+        low_t = v1_t;
+        low = v1;
+        v2 = high;
+        v2_t = high_t;
+        if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
         {
-            high_t = 0.0;
-            high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v2_t = 0.0;
         }
+        high_t = v2_t;
+        high = v2;
         derivative_tables__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
         derivative_tables__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
-        v1 = high_slope - low_slope;
-        v2 = high - low;
-        v3 = v1 / v2;
-        bend_t = (high_slope_t - low_slope_t - v3 * (high_t - low_t)) / v2;
-        bend = v3;
+        v3 = high_slope - low_slope;
+        v4 = high - low;
+        v5 = v3 / v4;
+        bend_t = (high_slope_t - low_slope_t - v5 * (high_t - low_t)) / v4;
+        bend = v5;
     }
     (*result_0) = bend;
     (*result_1) = bend_t;
@@ -1334,13 +1382,14 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t)
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t)
 {
+    int64_t k1;
     int64_t rail;
     double way_t;
     double way;
-    double v1;
-    double v1_t;
+    double v2;
+    double v2_t;
     double abscissa_t;
     double abscissa;
     int64_t trace;
@@ -1357,15 +1406,16 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
     double found_curvature;
     double found_curvature_t;
     bool found;
-    double v2;
     double v3;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    double v4;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
-    abscissa_t = v1_t;
-    abscissa = v1;
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    abscissa_t = v2_t;
+    abscissa = v2;
     (*gap_t) = 0.0;
     (*gap) = frame__NO_GAP;
     (*rate_t) = 0.0;
@@ -1392,10 +1442,10 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v2 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
-                v3 = v2 / way;
-                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v3 * way_t) / way;
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v3;
+                v3 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
+                v4 = v3 / way;
+                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v4 * way_t) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v4;
             }
             (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t;
             (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
@@ -1411,16 +1461,28 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
 /* Derivative of ``limited``. */
 static inline int64_t derivative_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t)
 {
-    if (step > limit)
+    double v1;
+    double v1_t;
+    double v2;
+    double v3;
+    double v3_t;
+    v1 = step;
+    v1_t = step_t;
+    if (limit < v1)
     {
-        step_t = limit_t;
-        step = limit;
+        v1 = limit;
+        v1_t = limit_t;
     }
-    if (step < -limit)
+    v2 = -limit;
+    v3 = v1;
+    v3_t = v1_t;
+    if (v2 > v3)
     {
-        step_t = -limit_t;
-        step = -limit;
+        v3 = v2;
+        v3_t = -limit_t;
     }
+    step_t = v3_t;
+    step = v3;
     (*result_0) = step;
     (*result_1) = step_t;
     return 0;
@@ -1633,7 +1695,7 @@ static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d 
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double penetration, double penetration_t)
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double penetration, double penetration_t)
 {
     double v1;
     double height_t;
@@ -1643,7 +1705,7 @@ static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d w
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
-    n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+    n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, height, height_t);
     count = n2;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
@@ -1748,7 +1810,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     int64_t contact;
     int64_t index;
@@ -1780,7 +1842,7 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
             derivative_pressed_regions__give_own_frame_t(work, work_t, tables, region, point);
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0);
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0);
         (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
@@ -2049,8 +2111,9 @@ static inline int64_t derivative_separation__depth_lost_t(double* result_0, doub
 }
 
 /* Derivative of ``moved_separation``. */
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, int64_t kind)
+static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, int64_t kind)
 {
+    int64_t k1;
     bool exists;
     double lost;
     double lost_t;
@@ -2064,11 +2127,12 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     double slope_t;
     double wheel_bend;
     double wheel_bend_t;
-    double v1;
-    double v1_t;
     double v2;
     double v2_t;
-    (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
+    double v3;
+    double v3_t;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
+    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
         derivative_separation__vertical_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, work, work_t, tables, station, station_t);
@@ -2097,31 +2161,31 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    derivative_pressed__mean_bend_t(&v1, &v1_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
-    wheel_bend_t = v1_t;
-    wheel_bend = v1;
-    derivative_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
-    (*curvature_t) = v2_t;
-    (*curvature) = v2;
+    derivative_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
+    wheel_bend_t = v2_t;
+    wheel_bend = v2;
+    derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    (*curvature_t) = v3_t;
+    (*curvature) = v3;
     return 0;
 }
 
 /* Derivative of ``separation``. */
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, tolerance, tolerance_t);
+        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, tolerance, tolerance_t);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t);
+        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t);
     }
     else
     {
-        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, kind);
+        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, kind);
     }
     return 0;
 }
@@ -2188,26 +2252,30 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, doubl
     double bend;
     int64_t i;
     double v2;
+    double v2_t;
     double v3;
+    double v3_t;
     double v4;
     double v5;
+    double v6;
+    double v7;
     double along_t;
     double along;
-    double v6;
+    double v8;
     double rate_t;
     double rate;
-    double v7;
-    double v8;
     double v9;
     double v10;
     double v11;
+    double v12;
+    double v13;
     double ordinate_t;
     double ordinate;
-    double v12;
+    double v14;
     double move_t;
     double move;
-    double v13;
-    double v14;
+    double v15;
+    double v16;
     derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     u_t = v1_t;
     u = v1;
@@ -2224,23 +2292,29 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, doubl
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
+        v2 = u;
+        v2_t = u_t;
+        if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v2)
         {
-            u_t = 0.0;
-            u = (*cspan_at(&tables, profile + layout__PROFILE_START));
+            v2 = (*cspan_at(&tables, profile + layout__PROFILE_START));
+            v2_t = 0.0;
         }
-        if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
+        v3 = v2;
+        v3_t = v2_t;
+        if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v3)
         {
-            u_t = 0.0;
-            u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+            v3 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+            v3_t = 0.0;
         }
+        u_t = v3_t;
+        u = v3;
         derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
         forward_t = (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)));
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-        v2 = u - (*cspan_at(&work, point + layout__POINT_Y));
-        v3 = height - (*cspan_at(&work, point + layout__POINT_Z));
-        excess_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v2 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v3 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN))) - station_t;
-        excess = v2 * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v3 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
+        v4 = u - (*cspan_at(&work, point + layout__POINT_Y));
+        v5 = height - (*cspan_at(&work, point + layout__POINT_Z));
+        excess_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v5 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN))) - station_t;
+        excess = v4 * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v5 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
         if (fabs(excess) < tolerance)
         {
             if (forward > 0.0)
@@ -2249,38 +2323,38 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, doubl
             }
             break;
         }
-        v4 = excess / forward;
-        u_t = u_t - (excess_t - v4 * forward_t) / forward;
-        u = u - v4;
+        v6 = excess / forward;
+        u_t = u_t - (excess_t - v6 * forward_t) / forward;
+        u = u - v6;
     }
-    v5 = 1.0 / forward;
-    along_t = (-v5) * forward_t / forward;
-    along = v5;
-    v6 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    rate_t = ((*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)))) * along + v6 * along_t;
-    rate = v6 * along;
-    v7 = -bend;
-    v8 = v7 * along;
-    v9 = v8 * along;
-    (*ordinate_bend_t) = (((-bend_t) * along + v7 * along_t) * along + v8 * along_t) * along + v9 * along_t;
-    (*ordinate_bend) = v9 * along;
+    v7 = 1.0 / forward;
+    along_t = (-v7) * forward_t / forward;
+    along = v7;
+    v8 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    rate_t = ((*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)))) * along + v8 * along_t;
+    rate = v8 * along;
+    v9 = -bend;
+    v10 = v9 * along;
+    v11 = v10 * along;
+    (*ordinate_bend_t) = (((-bend_t) * along + v9 * along_t) * along + v10 * along_t) * along + v11 * along_t;
+    (*ordinate_bend) = v11 * along;
     (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = u_t - (excess_t * along + excess * along_t);
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = u - excess * along;
     (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = along_t;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = along;
     (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = (*ordinate_bend_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*ordinate_bend) * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN));
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-    v10 = u - (*cspan_at(&work, point + layout__POINT_Y));
-    v11 = height - (*cspan_at(&work, point + layout__POINT_Z));
-    ordinate_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v10 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v11 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)));
-    ordinate = v10 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - v11 * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    v12 = -excess;
-    move_t = (-excess_t) * along + v12 * along_t;
-    move = v12 * along;
-    v13 = 0.5 * excess;
-    v14 = rate - v13 * (*ordinate_bend);
-    (*result_0) = ordinate - excess * v14;
-    (*result_1) = ordinate_t - (excess_t * v14 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v13 * (*ordinate_bend_t))));
+    v12 = u - (*cspan_at(&work, point + layout__POINT_Y));
+    v13 = height - (*cspan_at(&work, point + layout__POINT_Z));
+    ordinate_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v12 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v13 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)));
+    ordinate = v12 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - v13 * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    v14 = -excess;
+    move_t = (-excess_t) * along + v14 * along_t;
+    move = v14 * along;
+    v15 = 0.5 * excess;
+    v16 = rate - v15 * (*ordinate_bend);
+    (*result_0) = ordinate - excess * v16;
+    (*result_1) = ordinate_t - (excess_t * v16 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v15 * (*ordinate_bend_t))));
     (*result_2) = rate - excess * (*ordinate_bend);
     (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
     (*result_6) = slope + move * bend;
@@ -2371,34 +2445,38 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
     double outline_rate_t;
     double outline_rate;
     int64_t i;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
     double y_track;
     double y_track_t;
     double z_track;
     double z_track_t;
-    double v2;
-    double v3;
     double v4;
+    double v5;
+    double v6;
     double per_along_t;
     double per_along;
-    double v5;
+    double v7;
     double per_stretch_t;
     double per_stretch;
-    double v6;
+    double v8;
     double rate_t;
     double rate;
-    double v7;
-    double v8;
     double v9;
     double v10;
     double v11;
     double v12;
-    double move_t;
-    double move;
     double v13;
     double v14;
-    double v14_t;
+    double move_t;
+    double move;
     double v15;
     double v16;
+    double v16_t;
+    double v17;
+    double v18;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
@@ -2436,16 +2514,22 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
     outline_rate = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
+        v2 = y;
+        v2_t = y_t;
+        if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v2)
         {
-            y_t = 0.0;
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v2 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v2_t = 0.0;
         }
-        if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
+        v3 = v2;
+        v3_t = v2_t;
+        if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v3)
         {
-            y_t = 0.0;
-            y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v3 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v3_t = 0.0;
         }
+        y_t = v3_t;
+        y = v3;
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - left_t;
@@ -2464,44 +2548,44 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
             }
             break;
         }
-        v2 = stretch * along;
-        v3 = excess / v2;
-        y_t = y_t - (excess_t - v3 * (stretch_t * along + stretch * along_t)) / v2;
-        y = y - v3;
+        v4 = stretch * along;
+        v5 = excess / v4;
+        y_t = y_t - (excess_t - v5 * (stretch_t * along + stretch * along_t)) / v4;
+        y = y - v5;
     }
-    v4 = 1.0 / along;
-    per_along_t = (-v4) * along_t / along;
-    per_along = v4;
-    v5 = 1.0 / stretch;
-    per_stretch_t = (-v5) * stretch_t / stretch;
-    per_stretch = v5;
-    v6 = sine - outline_slope * cosine;
-    rate_t = (sine_t - (outline_slope_t * cosine + outline_slope * cosine_t)) * per_along + v6 * per_along_t;
-    rate = v6 * per_along;
-    v7 = -outline_rate;
-    v8 = v7 * per_stretch;
-    v9 = v8 * per_along;
-    v10 = v9 * per_along;
-    (*ordinate_bend_t) = ((((-outline_rate_t) * per_stretch + v7 * per_stretch_t) * per_along + v8 * per_along_t) * per_along + v9 * per_along_t) * per_along + v10 * per_along_t;
-    (*ordinate_bend) = v10 * per_along;
-    v11 = -excess;
+    v6 = 1.0 / along;
+    per_along_t = (-v6) * along_t / along;
+    per_along = v6;
+    v7 = 1.0 / stretch;
+    per_stretch_t = (-v7) * stretch_t / stretch;
+    per_stretch = v7;
+    v8 = sine - outline_slope * cosine;
+    rate_t = (sine_t - (outline_slope_t * cosine + outline_slope * cosine_t)) * per_along + v8 * per_along_t;
+    rate = v8 * per_along;
+    v9 = -outline_rate;
+    v10 = v9 * per_stretch;
+    v11 = v10 * per_along;
     v12 = v11 * per_along;
-    move_t = ((-excess_t) * per_along + v11 * per_along_t) * per_stretch + v12 * per_stretch_t;
-    move = v12 * per_stretch;
+    (*ordinate_bend_t) = ((((-outline_rate_t) * per_stretch + v9 * per_stretch_t) * per_along + v10 * per_along_t) * per_along + v11 * per_along_t) * per_along + v12 * per_along_t;
+    (*ordinate_bend) = v12 * per_along;
+    v13 = -excess;
+    v14 = v13 * per_along;
+    move_t = ((-excess_t) * per_along + v13 * per_along_t) * per_stretch + v14 * per_stretch_t;
+    move = v14 * per_stretch;
     (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t + move_t;
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
     (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = per_along_t * per_stretch + per_along * per_stretch_t;
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
-    v13 = (*ordinate_bend) * sine;
-    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v13 * per_stretch_t;
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = v13 * per_stretch;
-    derivative_curvature__longitudinal_curvature_t(&v14, &v14_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
-    (*curvature_t) = v14_t;
-    (*curvature) = v14;
-    v15 = 0.5 * excess;
-    v16 = rate - v15 * (*ordinate_bend);
-    (*ordinate_t) = across_t * sine + across * sine_t - (up_t * cosine + up * cosine_t) - (excess_t * v16 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v15 * (*ordinate_bend_t))));
-    (*ordinate) = across * sine - up * cosine - excess * v16;
+    v15 = (*ordinate_bend) * sine;
+    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v15 * per_stretch_t;
+    (*cspan_at(&work, trace + layout__TRACE_BEND)) = v15 * per_stretch;
+    derivative_curvature__longitudinal_curvature_t(&v16, &v16_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
+    (*curvature_t) = v16_t;
+    (*curvature) = v16;
+    v17 = 0.5 * excess;
+    v18 = rate - v17 * (*ordinate_bend);
+    (*ordinate_t) = across_t * sine + across * sine_t - (up_t * cosine + up * cosine_t) - (excess_t * v18 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v17 * (*ordinate_bend_t))));
+    (*ordinate) = across * sine - up * cosine - excess * v18;
     (*result_2) = rate - excess * (*ordinate_bend);
     (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
     return 0;
@@ -2529,18 +2613,22 @@ static inline int64_t derivative_widths__width_limit_t(double* limit, double* li
 /* Derivative of ``width_tolerance``. */
 static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t)
 {
-    (*tolerance_t) = widths__TRACE_OF_WIDTH * estimate_t;
-    (*tolerance) = widths__TRACE_OF_WIDTH * estimate;
-    if ((*tolerance) > widths__WIDTH_TRACE)
+    double v1;
+    double v1_t;
+    v1 = widths__TRACE_OF_WIDTH * estimate;
+    v1_t = widths__TRACE_OF_WIDTH * estimate_t;
+    if (widths__WIDTH_TRACE < v1)
     {
-        (*tolerance_t) = 0.0;
-        (*tolerance) = widths__WIDTH_TRACE;
+        v1 = widths__WIDTH_TRACE;
+        v1_t = 0.0;
     }
+    (*tolerance_t) = v1_t;
+    (*tolerance) = v1;
     return 0;
 }
 
 /* Derivative of ``zone_width``. */
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2567,6 +2655,8 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     double y;
     double near;
     int64_t i;
+    double v4;
+    double v4_t;
     double gap;
     double gap_t;
     double rate;
@@ -2580,15 +2670,15 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     double following_t;
     double following;
     double sharp;
-    double v4;
     double v5;
+    double v6;
     double square_t;
     double square;
-    double v6;
     double v7;
     double v8;
     double v9;
     double v10;
+    double v11;
     double newton_t;
     double newton;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
@@ -2623,12 +2713,16 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     }
     for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
-        if (width > limit)
+        v4 = width;
+        v4_t = width_t;
+        if (limit < v4)
         {
-            width_t = limit_t;
-            width = limit;
+            v4 = limit;
+            v4_t = limit_t;
         }
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        width_t = v4_t;
+        width = v4;
+        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
@@ -2667,22 +2761,22 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
         sharp = widths__HALVED_SHARP;
         if (high > 0.0)
         {
-            v4 = low + high;
+            v5 = low + high;
             following_t = 0.5 * (low_t + high_t);
-            following = 0.5 * v4;
+            following = 0.5 * v5;
         }
         if ((rise > 0.0) && (rate * direction > 0.0))
         {
-            v5 = sqrt(rise);
-            square_t = derivative_rates__root_rate(v5, rise_t);
-            square = v5;
-            v6 = root - square;
-            v7 = v6 * 2.0;
-            v8 = v7 * square;
-            v9 = rate * direction;
-            v10 = v8 / v9;
-            newton_t = width_t + ((root_t - square_t) * 2.0 * square + v7 * square_t - v10 * (rate_t * direction + rate * direction_t)) / v9;
-            newton = width + v10;
+            v6 = sqrt(rise);
+            square_t = derivative_rates__root_rate(v6, rise_t);
+            square = v6;
+            v7 = root - square;
+            v8 = v7 * 2.0;
+            v9 = v8 * square;
+            v10 = rate * direction;
+            v11 = v9 / v10;
+            newton_t = width_t + ((root_t - square_t) * 2.0 * square + v8 * square_t - v11 * (rate_t * direction + rate * direction_t)) / v10;
+            newton = width + v11;
             if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
             {
                 following_t = newton_t;
@@ -2710,23 +2804,29 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
 }
 
 /* Derivative of ``measure_widths``. */
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double local_penetration, double local_penetration_t)
 {
-    double bend_t;
-    double bend;
     double v1;
     double v2;
+    double v2_t;
     double v3;
+    double v4;
+    double v4_t;
+    double bend_t;
+    double bend;
+    double v5;
+    double v6;
+    double v7;
     double low_t;
     double low;
     double high_t;
     double high;
-    double v4;
-    double v5;
+    double v8;
+    double v9;
     double grown_t;
     double grown;
-    double v6;
-    double v6_t;
+    double v10;
+    double v10_t;
     double high_reached_t;
     double high_reached;
     double slant_t;
@@ -2734,54 +2834,60 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
     double start_t;
     double start;
     bool yawed;
-    double v7;
-    double v7_t;
-    double v8;
-    double v8_t;
-    double v9;
-    double v9_t;
-    double v10;
     double v11;
-    double v13;
+    double v11_t;
     double v12;
     double v12_t;
-    double v15;
+    double v13;
+    double v13_t;
     double v14;
-    double v14_t;
+    double v15;
+    double v17;
     double v16;
-    bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
-    bend = (*cspan_at(&work, region + layout__REGION_BEND));
-    if (bend < widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    double v16_t;
+    double v19;
+    double v18;
+    double v18_t;
+    double v20;
+    v1 = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v2 = (*cspan_at(&work, region + layout__REGION_BEND));
+    v2_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+    if (v1 > v2)
     {
-        bend_t = widths__LEAST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        bend = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        v2 = v1;
+        v2_t = widths__LEAST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
     }
-    if (bend > widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+    v3 = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v4 = v2;
+    v4_t = v2_t;
+    if (v3 < v4)
     {
-        bend_t = widths__MOST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        bend = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+        v4 = v3;
+        v4_t = widths__MOST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
     }
-    v1 = 2.0 * local_penetration;
-    v2 = v1 / bend;
-    v3 = sqrt(v2);
-    low_t = derivative_rates__root_rate(v3, (2.0 * local_penetration_t - v2 * bend_t) / bend);
-    low = v3;
+    bend_t = v4_t;
+    bend = v4;
+    v5 = 2.0 * local_penetration;
+    v6 = v5 / bend;
+    v7 = sqrt(v6);
+    low_t = derivative_rates__root_rate(v7, (2.0 * local_penetration_t - v6 * bend_t) / bend);
+    low = v7;
     high_t = low_t;
     high = low;
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
     {
-        v4 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
-        v5 = sqrt(v4);
-        grown_t = derivative_rates__root_rate(v5, (local_penetration_t - v4 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
-        grown = v5;
+        v8 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+        v9 = sqrt(v8);
+        grown_t = derivative_rates__root_rate(v9, (local_penetration_t - v8 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
+        grown = v9;
         low_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown_t;
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    derivative_widths__width_rule_t(&v6, &v6_t, work, work_t, tables, region, state, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
-    high_t = v6_t;
-    high = v6;
+    derivative_widths__width_rule_t(&v10, &v10_t, work, work_t, tables, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
+    high_t = v10_t;
+    high = v10;
     high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant_t = 0.0;
@@ -2791,48 +2897,48 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = v7_t;
-        slant = v7;
+        derivative_locus__outline_x_t(&v11, &v11_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant_t = v11_t;
+        slant = v11;
     }
     if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
         low_t = high_t;
         low = high;
     }
-    derivative_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, state, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
-    low_t = v8_t;
-    low = v8;
+    derivative_widths__width_rule_t(&v12, &v12_t, work, work_t, tables, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
+    low_t = v12_t;
+    low = v12;
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = slant_t - v9_t;
-        slant = slant - v9;
+        derivative_locus__outline_x_t(&v13, &v13_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant_t = slant_t - v13_t;
+        slant = slant - v13;
         if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
         {
-            v10 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-            v11 = slant / v10;
-            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v10;
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = v11;
+            v14 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            v15 = slant / v14;
+            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v15 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v14;
+            (*cspan_at(&work, region + layout__REGION_SLANT)) = v15;
         }
     }
-    v13 = low + high;
-    derivative_widths__side_curvature_t(&v12, &v12_t, high_reached, high_reached_t, high, high_t, 0.5 * v13, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)) = v12_t;
-    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v12;
-    v15 = low + high;
-    derivative_widths__side_curvature_t(&v14, &v14_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*cspan_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v15, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) = v14_t;
-    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v14;
+    v17 = low + high;
+    derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, 0.5 * (low_t + high_t));
+    (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)) = v16_t;
+    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v16;
+    v19 = low + high;
+    derivative_widths__side_curvature_t(&v18, &v18_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*cspan_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v19, 0.5 * (low_t + high_t));
+    (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) = v18_t;
+    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v18;
     (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
     (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
     (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
     (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
     (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration_t;
     (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
-    v16 = high - low;
+    v20 = high - low;
     (*cspan_at(&work_t, region + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
-    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v16;
+    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v20;
     return INT64_C(0);
 }
 
@@ -2840,34 +2946,38 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
 static inline int64_t derivative_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t)
 {
     double v1;
+    double v2;
+    double v2_t;
     double ratio_t;
     double ratio;
-    double v2;
     double v3;
     double v4;
+    double v5;
     (*curvature_t) = 0.0;
     (*curvature) = 0.0;
     if (own > 0.0)
     {
         v1 = mean / own;
-        ratio_t = (mean_t - v1 * own_t) / own;
-        ratio = v1;
-        if (ratio > widths__NARROWER)
+        v2 = v1;
+        v2_t = (mean_t - v1 * own_t) / own;
+        if (widths__NARROWER < v2)
         {
-            ratio_t = 0.0;
-            ratio = widths__NARROWER;
+            v2 = widths__NARROWER;
+            v2_t = 0.0;
         }
-        v2 = own * own;
-        v3 = reached / v2;
-        v4 = v3 * ratio;
-        (*curvature_t) = ((reached_t - v3 * (own_t * own + own * own_t)) / v2 * ratio + v3 * ratio_t) * ratio + v4 * ratio_t;
-        (*curvature) = v4 * ratio;
+        ratio_t = v2_t;
+        ratio = v2;
+        v3 = own * own;
+        v4 = reached / v3;
+        v5 = v4 * ratio;
+        (*curvature_t) = ((reached_t - v4 * (own_t * own + own * own_t)) / v3 * ratio + v4 * ratio_t) * ratio + v5 * ratio_t;
+        (*curvature) = v5 * ratio;
     }
     return 0;
 }
 
 /* Derivative of ``width_rule``. */
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2893,7 +3003,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
     double y_t;
     double y;
     double out;
-    derivative_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, state, direction, direction_t, level, level_t, estimate, estimate_t);
+    derivative_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, direction, direction_t, level, level_t, estimate, estimate_t);
     (*width_t) = v1_t;
     (*width) = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
@@ -2905,7 +3015,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
         tolerance_t = v3_t;
         tolerance = v3;
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
         rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -2914,7 +3024,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         {
             moved = missing / (rate * direction);
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
         x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
@@ -2929,7 +3039,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         {
             moved = (-wheel_rate) / out;
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, moved, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
         (*width_t) = moved;
         (*cspan_at(&work_t, region + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
     }
@@ -2937,13 +3047,13 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
 }
 
 /* Derivative of ``width_jet``. */
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
 {
     double bend;
     double bend_t;
     double curvature;
     double curvature_t;
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

@@ -378,16 +378,18 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double weight;
     double weight_t;
     double v12;
+    double v12_t;
     double v13;
     double v14;
     double v15;
-    double v17;
-    double v18;
     double v16;
-    double v16_t;
+    double v18;
     double v19;
+    double v17;
+    double v17_t;
     double v20;
-    double v20_t;
+    double v21;
+    double v21_t;
     a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
     a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
     v1 = 1.0 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
@@ -421,11 +423,15 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     k = k * share;
     v11 = share * share;
     derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v11 * spread, u_t * u + u * u_t + ((share_t * share + share * share_t) * spread + v11 * spread_t), v, v_t, k, k_t, a, a_t);
-    if (first_weight < weight)
+    v12 = weight;
+    v12_t = weight_t;
+    if (first_weight < v12)
     {
-        weight_t = first_weight_t;
-        weight = first_weight;
+        v12 = first_weight;
+        v12_t = first_weight_t;
     }
+    weight_t = v12_t;
+    weight = v12;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
@@ -440,21 +446,21 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     {
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        v12 = depth + coupled_strips__NOTHING;
-        v13 = u / v12;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v13 * depth_t) / v12;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v13;
-        v14 = depth + coupled_strips__NOTHING;
-        v15 = v / v14;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v15 * depth_t) / v14 + k_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v15 + k;
-        v17 = depth / a;
-        v18 = 1.0 - v17;
-        derivative_coupled_strips__smooth_step_t(&v16, &v16_t, v18 / coupled_strips__FADE, (-((depth_t - v17 * a_t) / a)) / coupled_strips__FADE);
-        v19 = weight * v16;
-        derivative_coupled_strips__edge_weight_t(&v20, &v20_t, work, work_t);
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v16 + weight * v16_t) * v20 + v19 * v20_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = v19 * v20;
+        v13 = depth + march__NOTHING;
+        v14 = u / v13;
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v14 * depth_t) / v13;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v14;
+        v15 = depth + march__NOTHING;
+        v16 = v / v15;
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v16 * depth_t) / v15 + k_t;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v16 + k;
+        v18 = depth / a;
+        v19 = 1.0 - v18;
+        derivative_coupled_strips__smooth_step_t(&v17, &v17_t, v19 / coupled_strips__FADE, (-((depth_t - v18 * a_t) / a)) / coupled_strips__FADE);
+        v20 = weight * v17;
+        derivative_coupled_strips__edge_weight_t(&v21, &v21_t, work, work_t);
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v17 + weight * v17_t) * v21 + v20 * v21_t;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = v20 * v21;
     }
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
@@ -467,40 +473,48 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
     double v1;
     double over_width_t;
     double over_width;
+    double v2;
+    double v2_t;
     double twist_t;
     double twist;
+    double v3;
+    double v3_t;
     double long_t;
     double long_0001;
-    double v2;
-    double v3;
     double v4;
+    double v5;
+    double v6;
     double floor_t;
     double floor;
-    double v5;
+    double v7;
     v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
     over_width_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
     over_width = v1 * scale;
-    twist_t = derivative_rates__size_rate(k, k_t);
-    twist = fabs(k);
-    if (twist > coupled_strips__FLOOR_TWIST)
+    v2 = fabs(k);
+    v2_t = derivative_rates__size_rate(k, k_t);
+    if (coupled_strips__FLOOR_TWIST < v2)
     {
-        twist_t = 0.0;
-        twist = coupled_strips__FLOOR_TWIST;
+        v2 = coupled_strips__FLOOR_TWIST;
+        v2_t = 0.0;
     }
-    long_t = ratio_t / coupled_strips__FLOOR_RATIO;
-    long_0001 = ratio / coupled_strips__FLOOR_RATIO;
-    if (long_0001 > 1.0)
+    twist_t = v2_t;
+    twist = v2;
+    v3 = ratio / coupled_strips__FLOOR_RATIO;
+    v3_t = ratio_t / coupled_strips__FLOOR_RATIO;
+    if (1.0 < v3)
     {
-        long_t = 0.0;
-        long_0001 = 1.0;
+        v3 = 1.0;
+        v3_t = 0.0;
     }
-    v2 = coupled_strips__FLOOR * long_0001;
-    v3 = v2 * twist;
-    v4 = v3 * twist;
-    floor_t = ((coupled_strips__FLOOR * long_t * twist + v2 * twist_t) * twist + v3 * twist_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    floor = v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    v5 = over_width * over_width;
-    (*result_0) = v5 / 6.0 + floor * floor;
+    long_t = v3_t;
+    long_0001 = v3;
+    v4 = coupled_strips__SPREAD_FLOOR * long_0001;
+    v5 = v4 * twist;
+    v6 = v5 * twist;
+    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = v6 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    v7 = over_width * over_width;
+    (*result_0) = v7 / 6.0 + floor * floor;
     (*result_1) = (over_width_t * over_width + over_width * over_width_t) / 6.0 + (floor_t * floor + floor * floor_t);
     return 0;
 }
@@ -544,7 +558,7 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, dou
         if (cross <= 0.0)
         {
             v2 = square + v * v;
-            v3 = root - cross + coupled_strips__NOTHING;
+            v3 = root - cross + march__NOTHING;
             v4 = v2 / v3;
             (*depth_t) = (square_t + (v_t * v + v * v_t) - v4 * (root_t - cross_t)) / v3;
             (*depth) = v4;
@@ -552,7 +566,7 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, dou
             (*weight) = 1.0;
             if (rest < 0.0)
             {
-                v6 = v * v + coupled_strips__NOTHING;
+                v6 = v * v + march__NOTHING;
                 v7 = spread / v6;
                 derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, (spread_t - v7 * (v_t * v + v * v_t)) / v6);
                 (*weight_t) = v5_t;
@@ -672,8 +686,8 @@ static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, do
     return 0;
 }
 
-/* Derivative of ``solve_strips``. */
-static inline int64_t derivative_coupled_strips__solve_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+/* Derivative of ``solve_coupled_strips``. */
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
     derivative_coupled_strips__add_strips_t(work, work_t, tables, patch);
@@ -837,7 +851,9 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
     double v3;
     double v3_t;
     double v4;
+    double v4_t;
     double v5;
+    double v6;
     largest_t = 0.0;
     largest = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
@@ -849,23 +865,27 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
         v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit;
         square_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit_t) * unit + v2 * unit_t;
         square = v2 * unit;
-        if (square > largest)
+        v3 = largest;
+        v3_t = largest_t;
+        if (square > v3)
         {
-            largest_t = square_t;
-            largest = square;
+            v3 = square;
+            v3_t = square_t;
         }
+        largest_t = v3_t;
+        largest = v3;
         if (unit > 0.0)
         {
-            derivative_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
-            unit_t = unit_t * v3 + unit * v3_t;
-            unit = unit * v3;
-            v4 = unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)), (unit_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+            derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
+            unit_t = unit_t * v4 + unit * v4_t;
+            unit = unit * v4;
+            v5 = unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), v5 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)), (unit_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v5 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
         }
     }
-    v5 = sqrt(largest);
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v5, largest_t);
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v5;
+    v6 = sqrt(largest);
+    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, largest_t);
+    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v6;
     return INT64_C(0);
 }
 
@@ -887,7 +907,7 @@ static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
         {
-            derivative_coupled_strips__solve_strips_t(work, work_t, tables, patch);
+            derivative_coupled_strips__solve_coupled_strips_t(work, work_t, tables, patch);
         }
         else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
         {
@@ -1191,7 +1211,7 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_do
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     derivative_cut__describe_ellipse_t(work, work_t, patch);
-    derivative_cut__lay_strips_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
+    derivative_cut__divide_patch_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
         if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
@@ -1243,14 +1263,18 @@ static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, a
     int64_t totals;
     double v1;
     double v2;
+    double v3;
+    double v3_t;
+    double v4;
+    double v4_t;
     double ratio_t;
     double ratio;
-    double v3;
-    double v4;
     double v5;
     double v6;
     double v7;
     double v8;
+    double v9;
+    double v10;
     totals = patch + layout__PATCH_TOTALS;
     (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
@@ -1260,34 +1284,38 @@ static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, a
     {
         v1 = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         v2 = v1 / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-        ratio_t = (2.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-        ratio = v2;
-        if (ratio < cut__SHORTEST)
+        v3 = v2;
+        v3_t = (2.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
+        if (cut__SHORTEST_PATCH > v3)
         {
-            ratio_t = 0.0;
-            ratio = cut__SHORTEST;
+            v3 = cut__SHORTEST_PATCH;
+            v3_t = 0.0;
         }
-        if (ratio > cut__LONGEST)
+        v4 = v3;
+        v4_t = v3_t;
+        if (cut__LONGEST_PATCH < v4)
         {
-            ratio_t = 0.0;
-            ratio = cut__LONGEST;
+            v4 = cut__LONGEST_PATCH;
+            v4_t = 0.0;
         }
-        v3 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
-        v4 = v3 * ratio;
-        v5 = sqrt(v4);
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v5, (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v3 * ratio_t);
-        (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = v5;
-        v6 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
-        v7 = v6 / ratio;
-        v8 = sqrt(v7);
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v8, ((*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v7 * ratio_t) / ratio);
-        (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = v8;
+        ratio_t = v4_t;
+        ratio = v4;
+        v5 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
+        v6 = v5 * ratio;
+        v7 = sqrt(v6);
+        (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * ratio_t);
+        (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = v7;
+        v8 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
+        v9 = v8 / ratio;
+        v10 = sqrt(v9);
+        (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, ((*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * ratio_t) / ratio);
+        (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = v10;
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``lay_strips``. */
-static inline int64_t derivative_cut__lay_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t)
+/* Derivative of ``divide_patch``. */
+static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t)
 {
     double v1;
     double middle_t;
@@ -1854,8 +1882,10 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
     double square_t;
     double square;
     double v2;
+    double v2_t;
     double v3;
-    double v3_t;
+    double v4;
+    double v4_t;
     double weight_t;
     double weight;
     a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
@@ -1882,22 +1912,26 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
         derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, x, x_t, bound, bound_t);
         square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
         square = p_x * p_x + p_y * p_y;
-        if (square > (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)))
+        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+        v2_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+        if (square > v2)
         {
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = square_t;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = square;
+            v2 = square;
+            v2_t = square_t;
         }
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2_t;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
-        v2 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v2 * p_y_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + v2 * p_y;
+        v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
     }
-    derivative_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
-    weight_t = v3_t;
-    weight = v3;
+    derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
+    weight_t = v4_t;
+    weight = v4;
     derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)));
     return INT64_C(0);
 }
@@ -2107,7 +2141,7 @@ static inline int64_t derivative_fastsim__strip_push_t(double* push, double* pus
 }
 
 /* Derivative of ``march_strip``. */
-static inline int64_t derivative_fastsim__march_strip_t(double* v11, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t)
+static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t)
 {
     double a_t;
     double a;
@@ -2151,12 +2185,14 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v11, double* res
     double square_t;
     double square;
     double v5;
+    double v5_t;
     double v6;
     double v7;
-    double v7_t;
     double v8;
+    double v8_t;
     double v9;
     double v10;
+    double v11;
     a_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     v1 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
@@ -2207,33 +2243,37 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v11, double* res
         total = total + weight;
         square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
         square = p_x * p_x + p_y * p_y;
-        if (square > largest)
+        v5 = largest;
+        v5_t = largest_t;
+        if (square > v5)
         {
-            largest_t = square_t;
-            largest = square;
+            v5 = square;
+            v5_t = square_t;
         }
+        largest_t = v5_t;
+        largest = v5;
         force_x_t = force_x_t + (weight_t * p_x + weight * p_x_t);
         force_x = force_x + weight * p_x;
         force_y_t = force_y_t + (weight_t * p_y + weight * p_y_t);
         force_y = force_y + weight * p_y;
-        v5 = weight * x;
-        moment_t = moment_t + ((weight_t * x + weight * x_t) * p_y + v5 * p_y_t);
-        moment = moment + v5 * p_y;
+        v6 = weight * x;
+        moment_t = moment_t + ((weight_t * x + weight * x_t) * p_y + v6 * p_y_t);
+        moment = moment + v6 * p_y;
         before_t = x_t;
         before = x;
     }
-    v6 = sqrt(largest);
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, largest_t);
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v6;
-    derivative_tractions__point_weight_t(&v7, &v7_t, work, work_t, strip);
-    weight_t = v7_t;
-    weight = v7;
+    v7 = sqrt(largest);
+    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v7, largest_t);
+    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v7;
+    derivative_tractions__point_weight_t(&v8, &v8_t, work, work_t, strip);
+    weight_t = v8_t;
+    weight = v8;
     derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, weight_t * force_x + weight * force_x_t, weight * force_y, weight_t * force_y + weight * force_y_t, weight * moment, weight_t * moment + weight * moment_t);
-    v8 = 2.0 * a;
-    v9 = v8 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    v10 = v9 * stuck;
-    (*v11) = v10 / total;
-    (*result_1) = ((2.0 * a_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v8 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v9 * stuck_t - (*v11) * total_t) / total;
+    v9 = 2.0 * a;
+    v10 = v9 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+    v11 = v10 * stuck;
+    (*v12) = v11 / total;
+    (*result_1) = ((2.0 * a_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v9 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v10 * stuck_t - (*v12) * total_t) / total;
     return 0;
 }
 
@@ -2288,25 +2328,35 @@ static inline int64_t derivative_friction__flange_share_t(double* result_0, doub
     double share_t;
     double share;
     double v3;
+    double v3_t;
     double v4;
+    double v4_t;
+    double v5;
+    double v6;
     v1 = angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE));
     v2 = 0.5 * v1;
     share_t = 0.5 * angle_t / friction__FLANGE_RANGE;
     share = 0.5 + v2 / friction__FLANGE_RANGE;
-    if (share < 0.0)
+    v3 = share;
+    v3_t = share_t;
+    if (0.0 > v3)
     {
-        share_t = 0.0;
-        share = 0.0;
+        v3 = 0.0;
+        v3_t = 0.0;
     }
-    if (share > 1.0)
+    v4 = v3;
+    v4_t = v3_t;
+    if (1.0 < v4)
     {
-        share_t = 0.0;
-        share = 1.0;
+        v4 = 1.0;
+        v4_t = 0.0;
     }
-    v3 = share * share;
-    v4 = 3.0 - 2.0 * share;
-    (*result_0) = v3 * v4;
-    (*result_1) = (share_t * share + share * share_t) * v4 + v3 * (-(2.0 * share_t));
+    share_t = v4_t;
+    share = v4;
+    v5 = share * share;
+    v6 = 3.0 - 2.0 * share;
+    (*result_0) = v5 * v6;
+    (*result_1) = (share_t * share + share * share_t) * v6 + v5 * (-(2.0 * share_t));
     return 0;
 }
 
@@ -2410,12 +2460,19 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     double v1_t;
     double gain_t;
     double gain;
+    double v2;
+    double v2_t;
     double reach_t;
     double reach;
-    double v2;
+    double v3;
     double most_t;
     double most;
-    double v3;
+    double v4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    double v7_t;
     double moment_t;
     double moment;
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
@@ -2423,29 +2480,36 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     gain = v1;
     if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
     {
-        reach_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
-        reach = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-        if (reach < (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)))
+        v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
+        v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+        if ((*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > v2)
         {
-            reach_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH));
-            reach = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+            v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+            v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH));
         }
-        v2 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        most_t = ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v2 * reach_t;
-        most = v2 * reach;
-        v3 = gain / (*cspan_at(&work, patch + layout__PATCH_SPIN));
-        moment_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) - (gain_t - v3 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) / (*cspan_at(&work, patch + layout__PATCH_SPIN));
-        moment = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - v3;
-        if (moment > most)
+        reach_t = v2_t;
+        reach = v2;
+        v3 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        most_t = ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v3 * reach_t;
+        most = v3 * reach;
+        v4 = gain / (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        v5 = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - v4;
+        v5_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) - (gain_t - v4 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) / (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        if (most < v5)
         {
-            moment_t = most_t;
-            moment = most;
+            v5 = most;
+            v5_t = most_t;
         }
-        if (moment < -most)
+        v6 = -most;
+        v7 = v5;
+        v7_t = v5_t;
+        if (v6 > v7)
         {
-            moment_t = -most_t;
-            moment = -most;
+            v7 = v6;
+            v7_t = -most_t;
         }
+        moment_t = v7_t;
+        moment = v7;
         (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = moment_t;
         (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = moment;
     }
@@ -2919,10 +2983,12 @@ static inline int64_t derivative_march__march_first_t(array_double_1d work, arra
     double v1;
     double across_t;
     double across;
+    double v2;
+    double v2_t;
     double square_t;
     double square;
-    double v2;
     double v3;
+    double v4;
     double cut_t;
     double cut;
     limit_t = bound_t * bound + bound * bound_t;
@@ -2936,17 +3002,19 @@ static inline int64_t derivative_march__march_first_t(array_double_1d work, arra
         v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
         across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - (step_t * v1 + step * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at_t)));
         across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v1;
-        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
-        square = along * along + across * across;
-        if (square < limit)
+        v2 = along * along + across * across;
+        v2_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        if (limit > v2)
         {
-            square_t = limit_t;
-            square = limit;
+            v2 = limit;
+            v2_t = limit_t;
         }
-        v2 = sqrt(square);
-        v3 = bound / v2;
-        cut_t = (bound_t - v3 * derivative_rates__root_rate(v2, square_t)) / v2;
-        cut = v3;
+        square_t = v2_t;
+        square = v2;
+        v3 = sqrt(square);
+        v4 = bound / v3;
+        cut_t = (bound_t - v4 * derivative_rates__root_rate(v3, square_t)) / v3;
+        cut = v4;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut_t * along + cut * along_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut_t * across + cut * across_t;
@@ -2973,29 +3041,33 @@ static inline int64_t derivative_march__march_second_t(array_double_1d work, arr
     double v2;
     double second_y_t;
     double second_y;
+    double v3;
+    double v3_t;
     double square_t;
     double square;
-    double v3;
     double v4;
+    double v5;
     double cut_t;
     double cut;
-    double v5;
+    double v6;
     double along_t;
     double along;
-    double v6;
+    double v7;
     double across_t;
     double across;
-    double v7;
     double v8;
     double v9;
     double v10;
+    double v11;
     double scale_t;
     double scale;
-    double v11;
     double v12;
+    double v13;
+    double v14;
+    double v14_t;
     double largest_t;
     double largest;
-    double v13;
+    double v15;
     share_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
     share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
     limit_t = bound_t * bound + bound * bound_t;
@@ -3012,17 +3084,19 @@ static inline int64_t derivative_march__march_second_t(array_double_1d work, arr
         v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
         second_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (step_t * v2 + step * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at_t)));
         second_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v2;
-        square_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
-        square = second_x * second_x + second_y * second_y;
-        if (square < limit)
+        v3 = second_x * second_x + second_y * second_y;
+        v3_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
+        if (limit > v3)
         {
-            square_t = limit_t;
-            square = limit;
+            v3 = limit;
+            v3_t = limit_t;
         }
-        v3 = sqrt(square);
-        v4 = bound / v3;
-        cut_t = (bound_t - v4 * derivative_rates__root_rate(v3, square_t)) / v3;
-        cut = v4;
+        square_t = v3_t;
+        square = v3;
+        v4 = sqrt(square);
+        v5 = bound / v4;
+        cut_t = (bound_t - v5 * derivative_rates__root_rate(v4, square_t)) / v4;
+        cut = v5;
         second_x_t = second_x_t * cut + second_x * cut_t;
         second_x = second_x * cut;
         second_y_t = second_y_t * cut + second_y * cut_t;
@@ -3031,34 +3105,36 @@ static inline int64_t derivative_march__march_second_t(array_double_1d work, arr
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
-        v5 = second_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (share_t * v5 + share * (second_x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v5;
-        v6 = second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (share_t * v6 + share * (second_y_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v6;
+        v6 = second_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
+        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (share_t * v6 + share * (second_x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
+        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v6;
+        v7 = second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
+        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (share_t * v7 + share * (second_y_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
+        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v7;
         square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
         square = along * along + across * across;
-        v7 = 1.0 - march__SOFT * march__SOFT;
-        v8 = v7 * square + soft;
-        v9 = sqrt(v8);
-        v10 = bound / v9;
-        scale_t = (bound_t - v10 * derivative_rates__root_rate(v9, v7 * square_t + soft_t)) / v9;
-        scale = v10;
-        v11 = square * scale;
-        v12 = v11 * scale;
-        largest_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v12 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v11 * scale_t);
-        largest = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v12;
-        if (largest < (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)))
+        v8 = 1.0 - march__SOFT * march__SOFT;
+        v9 = v8 * square + soft;
+        v10 = sqrt(v9);
+        v11 = bound / v10;
+        scale_t = (bound_t - v11 * derivative_rates__root_rate(v10, v8 * square_t + soft_t)) / v10;
+        scale = v11;
+        v12 = square * scale;
+        v13 = v12 * scale;
+        v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13;
+        v14_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v12 * scale_t);
+        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) > v14)
         {
-            largest_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-            largest = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+            v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+            v14_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
         }
+        largest_t = v14_t;
+        largest = v14;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
-        v13 = bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-        scale_t = scale_t * v13 + scale * (bound_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
-        scale = scale * v13;
+        v15 = bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+        scale_t = scale_t * v15 + scale * (bound_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
+        scale = scale * v15;
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (scale_t * along + scale * along_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + scale * along;
         across_t = across_t * scale + across * scale_t;
@@ -3295,13 +3371,19 @@ static inline int64_t derivative_march__note_largest_t(array_double_1d work, arr
 {
     double square_t;
     double square;
+    double v1;
+    double v1_t;
     square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
     square = p_x * p_x + p_y * p_y;
-    if (square > (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)))
+    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+    v1_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+    if (square > v1)
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = square_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = square;
+        v1 = square;
+        v1_t = square_t;
     }
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = v1_t;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = v1;
     return INT64_C(0);
 }
 
@@ -4146,11 +4228,14 @@ static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d table
 }
 
 /* Derivative of ``reaches``. */
-static inline int64_t derivative_stiffness__reaches_t(double* v4, double* v4_t, double* v5, double* v5_t, double* v6, double* v6_t, array_double_1d tables, int64_t table, double distance, double distance_t)
+static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t)
 {
     double v1;
     double v2;
     double v3;
+    double v4;
+    double v5;
+    double v5_t;
     double place_t;
     double place;
     int64_t cell;
@@ -4160,20 +4245,23 @@ static inline int64_t derivative_stiffness__reaches_t(double* v4, double* v4_t, 
     v1 = fabs(distance) + stiffness__NEAREST;
     v2 = sqrt(v1);
     v3 = sqrt(v2);
-    place_t = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, distance_t)));
-    place = layout__REACH_PER_UNIT * v3;
-    if (!(place < (double)(layout__REACH_CELLS)))
+    v4 = layout__REACH_PER_UNIT * v3;
+    v5 = (double)(layout__REACH_CELLS);
+    v5_t = 0.0;
+    if (v4 < v5)
     {
-        place_t = 0.0;
-        place = (double)(layout__REACH_CELLS);
+        v5 = v4;
+        v5_t = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, distance_t)));
     }
+    place_t = v5_t;
+    place = v5;
     cell = (int64_t)(place);
     u_t = place_t;
     u = place - (double)(cell);
     at = layout__REACH_ROW * cell;
-    derivative_stiffness__reach_cubic_t(v4, v4_t, tables, table, at, u, u_t);
-    derivative_stiffness__reach_cubic_t(v5, v5_t, tables, table, at + INT64_C(4), u, u_t);
-    derivative_stiffness__reach_cubic_t(v6, v6_t, tables, table, at + INT64_C(8), u, u_t);
+    derivative_stiffness__reach_cubic_t(v6, v6_t, tables, table, at, u, u_t);
+    derivative_stiffness__reach_cubic_t(v7, v7_t, tables, table, at + INT64_C(4), u, u_t);
+    derivative_stiffness__reach_cubic_t(v8, v8_t, tables, table, at + INT64_C(8), u, u_t);
     return 0;
 }
 
@@ -4251,20 +4339,28 @@ static inline int64_t derivative_stiffness__mean_share_t(double* share, double* 
 {
     double v1;
     double v2;
+    double v3;
+    double v3_t;
+    double v4;
+    double v4_t;
     v1 = log(ratio) - stiffness__OWN_UNTIL;
     v2 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
-    (*share_t) = ratio_t / ratio / v2;
-    (*share) = v1 / v2;
-    if ((*share) < 0.0)
+    v3 = v1 / v2;
+    v3_t = ratio_t / ratio / v2;
+    if (0.0 > v3)
     {
-        (*share_t) = 0.0;
-        (*share) = 0.0;
+        v3 = 0.0;
+        v3_t = 0.0;
     }
-    if ((*share) > 1.0)
+    v4 = v3;
+    v4_t = v3_t;
+    if (1.0 < v4)
     {
-        (*share_t) = 0.0;
-        (*share) = 1.0;
+        v4 = 1.0;
+        v4_t = 0.0;
     }
+    (*share_t) = v4_t;
+    (*share) = v4;
     return 0;
 }
 
@@ -4330,19 +4426,19 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
         v4 = v3 - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING));
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) + (share_t * v4 + share * ((mean_t - v3 * total_t) / total - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) + share * v4;
-        v6 = stiffness__SOFT * mean;
+        v6 = stiffness__SOFTEST * mean;
         v7 = v6 / total;
-        derivative_stiffness__not_below_t(&v5, &v5_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)), v7, (stiffness__SOFT * mean_t - v7 * total_t) / total);
+        derivative_stiffness__not_below_t(&v5, &v5_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)), v7, (stiffness__SOFTEST * mean_t - v7 * total_t) / total);
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = v5_t;
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v5;
-        v9 = stiffness__SOFT * along;
+        v9 = stiffness__SOFTEST * along;
         v10 = v9 / total;
-        derivative_stiffness__not_below_t(&v8, &v8_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)), v10, (stiffness__SOFT * along_t - v10 * total_t) / total);
+        derivative_stiffness__not_below_t(&v8, &v8_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)), v10, (stiffness__SOFTEST * along_t - v10 * total_t) / total);
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = v8_t;
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = v8;
-        v12 = stiffness__SOFT * across;
+        v12 = stiffness__SOFTEST * across;
         v13 = v12 / total;
-        derivative_stiffness__not_below_t(&v11, &v11_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)), v13, (stiffness__SOFT * across_t - v13 * total_t) / total);
+        derivative_stiffness__not_below_t(&v11, &v11_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)), v13, (stiffness__SOFTEST * across_t - v13 * total_t) / total);
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = v11_t;
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = v11;
     }
@@ -4352,11 +4448,17 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
 /* Derivative of ``not_below``. */
 static inline int64_t derivative_stiffness__not_below_t(double* result_0, double* result_1, double value, double value_t, double least, double least_t)
 {
-    if (value < least)
+    double v1;
+    double v1_t;
+    v1 = value;
+    v1_t = value_t;
+    if (least > v1)
     {
-        value_t = least_t;
-        value = least;
+        v1 = least;
+        v1_t = least_t;
     }
+    value_t = v1_t;
+    value = v1;
     (*result_0) = value;
     (*result_1) = value_t;
     return 0;

@@ -65,17 +65,21 @@ static inline int64_t derivative_analyn__region_lead_t(double* lead, double* lea
 /* Derivative of ``planes_cosine``. */
 static inline int64_t derivative_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
 {
+    double v1;
+    double v1_t;
     (*cosine_t) = 0.0;
     (*cosine) = 1.0;
     if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
-        (*cosine_t) = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
-        (*cosine) = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if ((*cosine) < 0.0)
+        v1 = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
+        v1_t = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
+        if (0.0 > v1)
         {
-            (*cosine_t) = 0.0;
-            (*cosine) = 0.0;
+            v1 = 0.0;
+            v1_t = 0.0;
         }
+        (*cosine_t) = v1_t;
+        (*cosine) = v1;
     }
     return 0;
 }
@@ -89,6 +93,10 @@ static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, doubl
     double reach;
     double v3;
     double v4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
     v1 = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
     v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
     reach_t = ((*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
@@ -100,16 +108,22 @@ static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, doubl
         reach_t = ((*cspan_at(&work_t, region + layout__REGION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_LOW)) - v4 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
         reach = v4 + (double)(k);
     }
-    if (reach < stop)
+    v5 = stop;
+    v5_t = stop_t;
+    if (reach < v5)
     {
-        stop_t = reach_t;
-        stop = reach;
+        v5 = reach;
+        v5_t = reach_t;
     }
-    if (stop < 0.0)
+    v6 = v5;
+    v6_t = v5_t;
+    if (0.0 > v6)
     {
-        stop_t = 0.0;
-        stop = 0.0;
+        v6 = 0.0;
+        v6_t = 0.0;
     }
+    stop_t = v6_t;
+    stop = v6;
     (*result_0) = stop;
     (*result_1) = stop_t;
     return 0;
@@ -271,7 +285,7 @@ static inline int64_t derivative_analyn__load_regions_t(double* total, double* t
 }
 
 /* Derivative of ``penetrations_rule``. */
-static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
+static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
 {
     double given_t;
     double given;
@@ -303,7 +317,7 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
     double n4;
     given_t = penetration_t;
     given = penetration;
-    analyn__solve_penetrations(&penetration, satisfied, work, tables, state, count, force, penetration, prescribed);
+    analyn__solve_penetrations(&penetration, satisfied, work, tables, count, force, penetration, prescribed);
     penetration_t = 0.0;
     if (!(*satisfied))
     {
@@ -404,9 +418,9 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
-    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         derivative_frame__locate_along_track_t(work, work_t, tables, (*count));
@@ -416,7 +430,7 @@ static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetr
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     double v1;
@@ -434,12 +448,12 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        derivative_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, state, force, force_t);
+        derivative_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
     }
@@ -449,14 +463,14 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     {
         estimate_t = (*penetration_t);
         estimate = (*penetration);
-        n2 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+        n2 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
         if (n2 == INT64_C(0))
         {
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, estimate, estimate_t, force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, estimate, estimate_t, force, force_t, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -466,25 +480,25 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
 {
     int64_t n1;
     int64_t n2;
-    n1 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
+    n1 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
     (*count) = n1;
-    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         derivative_deep_points__keep_deepest_t(work, work_t);
-        n2 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, state, estimate, estimate_t);
+        n2 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
         (*count) = n2;
-        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }
     return 0;
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double penetration, double penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t)
 {
     int64_t i;
     int64_t n1;
@@ -496,14 +510,14 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
+    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
     count = n1;
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
 
 /* Derivative of ``solve_fine``. */
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
 {
     double start_t;
     double start;
@@ -516,8 +530,8 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        derivative_nodes__prepare_regions_t(work, work_t, tables, state, count, enlarge, 0.0);
-        derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
+        derivative_nodes__prepare_regions_t(work, work_t, tables, count, enlarge, 0.0);
+        derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
@@ -635,12 +649,12 @@ static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17
     double width;
     double v19;
     double v20;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        v1 = coefficients__STEEPEST * B;
+        v1 = coefficients__STEEPEST_SLANT * B;
         v2 = v1 / A;
         v3 = sqrt(v2);
-        slant_t = derivative_rates__root_rate(v3, (coefficients__STEEPEST * B_t - v2 * A_t) / A);
+        slant_t = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A);
         slant = v3;
     }
     cross_t = A_t * slant + A * slant_t;
@@ -740,15 +754,15 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
     double v18;
     double v19;
     double v20;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        v1 = coefficients__STEEPEST * B;
+        v1 = coefficients__STEEPEST_SLANT * B;
         v2 = v1 / A;
         v3 = sqrt(v2);
         v4 = v3 * slant;
         v5 = fabs(slant);
         v6 = v4 / v5;
-        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
+        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
         slant = v6;
     }
     cross_t = A_t * slant + A * slant_t;
@@ -798,20 +812,13 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
 }
 
 /* Derivative of ``hertz_stiffness``. */
-static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
 {
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     v1 = 4.0 / 3.0;
     v2 = v1 * contact_modulus;
     v3 = one_beta * B;
@@ -896,30 +903,38 @@ static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, do
 }
 
 /* Derivative of ``windowed_curvature``. */
-static inline int64_t derivative_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
+static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
 {
-    double grown_t;
-    double grown;
     double v1;
     double v2;
+    double v2_t;
+    double grown_t;
+    double grown;
     double v3;
-    if (averaged < coefficients__WINDOW_FLOOR * secant)
+    double v4;
+    double v5;
+    v1 = coefficients__WINDOW_FLOOR * secant;
+    v2 = averaged;
+    v2_t = averaged_t;
+    if (v1 > v2)
     {
-        averaged_t = coefficients__WINDOW_FLOOR * secant_t;
-        averaged = coefficients__WINDOW_FLOOR * secant;
+        v2 = v1;
+        v2_t = coefficients__WINDOW_FLOOR * secant_t;
     }
+    averaged_t = v2_t;
+    averaged = v2;
     grown_t = secant_t;
     grown = secant;
     if (averaged > secant)
     {
-        v1 = coefficients__GROWTH * share;
-        v2 = averaged - secant;
-        grown_t = grown_t + (coefficients__GROWTH * share_t * v2 + v1 * (averaged_t - secant_t));
-        grown = grown + v1 * v2;
+        v3 = coefficients__GROWTH * share;
+        v4 = averaged - secant;
+        grown_t = grown_t + (coefficients__GROWTH * share_t * v4 + v3 * (averaged_t - secant_t));
+        grown = grown + v3 * v4;
     }
-    v3 = averaged * grown;
-    (*v4) = sqrt(v3);
-    (*result_1) = derivative_rates__root_rate((*v4), averaged_t * grown + averaged * grown_t);
+    v5 = averaged * grown;
+    (*v6) = sqrt(v5);
+    (*result_1) = derivative_rates__root_rate((*v6), averaged_t * grown + averaged * grown_t);
     return 0;
 }
 
@@ -931,43 +946,57 @@ static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* sec
     double v1;
     double v1_t;
     double v2;
+    double v2_t;
     double v3;
     double v4;
-    double share_t;
-    double share;
+    double v5;
     double v6;
     double v6_t;
-    double v5;
-    double v5_t;
+    double share_t;
+    double share;
+    double v8;
+    double v8_t;
+    double v7;
+    double v7_t;
+    double v9;
+    double v9_t;
+    double v10;
+    double v10_t;
     spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     derivative_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
-    (*secant_t) = v1_t;
-    (*secant) = v1;
-    if ((*secant) < least)
+    v2 = v1;
+    v2_t = v1_t;
+    if (least > v2)
     {
-        (*secant_t) = least_t;
-        (*secant) = least;
+        v2 = least;
+        v2_t = least_t;
     }
-    v2 = fabs((double)(k));
-    v3 = v2 * spacing;
-    v4 = v3 / mean;
-    share_t = (v2 * spacing_t - v4 * mean_t) / mean;
-    share = v4;
-    if (share > 1.0)
+    (*secant_t) = v2_t;
+    (*secant) = v2;
+    v3 = fabs((double)(k));
+    v4 = v3 * spacing;
+    v5 = v4 / mean;
+    v6 = v5;
+    v6_t = (v3 * spacing_t - v5 * mean_t) / mean;
+    if (1.0 < v6)
     {
-        share_t = 0.0;
-        share = 1.0;
+        v6 = 1.0;
+        v6_t = 0.0;
     }
-    derivative_coefficients__second_difference_t(&v6, &v6_t, work, work_t, gaps, k, spacing, spacing_t, window);
-    derivative_coefficients__windowed_curvature_t(&v5, &v5_t, v6, v6_t, (*secant), (*secant_t), share, share_t);
-    (*B_t) = v5_t;
-    (*B) = v5;
-    if ((*B) < least)
+    share_t = v6_t;
+    share = v6;
+    derivative_coefficients__second_difference_t(&v8, &v8_t, work, work_t, gaps, k, spacing, spacing_t, window);
+    derivative_coefficients__windowed_curvature_t(&v7, &v7_t, v8, v8_t, (*secant), (*secant_t), share, share_t);
+    v9 = v7;
+    v9_t = v7_t;
+    if (least > v9)
     {
-        (*B_t) = least_t;
-        (*B) = least;
+        v9 = least;
+        v9_t = least_t;
     }
+    (*B_t) = v9_t;
+    (*B) = v9;
     (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH));
     (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
@@ -975,11 +1004,15 @@ static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* sec
         (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW));
         (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
     }
-    if ((*side) < least)
+    v10 = (*side);
+    v10_t = (*side_t);
+    if (least > v10)
     {
-        (*side_t) = least_t;
-        (*side) = least;
+        v10 = least;
+        v10_t = least_t;
     }
+    (*side_t) = v10_t;
+    (*side) = v10;
     return 0;
 }
 
@@ -999,6 +1032,8 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
     double mean;
     double v2;
     double v2_t;
+    double v3;
+    double v3_t;
     double middle_t;
     double middle;
     int64_t k_end;
@@ -1007,28 +1042,30 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
     double A;
     double least_t;
     double least;
+    double v4;
+    double v4_t;
     double B_t;
     double B;
     double secant_t;
     double secant;
     double side_t;
     double side;
-    double v4;
-    double v3;
-    double v3_t;
-    double alpha_t;
-    double alpha;
     double v6;
     double v5;
     double v5_t;
-    double beta_t;
-    double beta;
+    double alpha_t;
+    double alpha;
     double v8;
     double v7;
     double v7_t;
+    double beta_t;
+    double beta;
+    double v10;
+    double v9;
+    double v9_t;
     double nr_t;
     double nr;
-    double v9;
+    double v11;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
     alpha_factor_t = 0.0;
@@ -1045,13 +1082,15 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
     mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
     derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), window);
-    middle_t = v2_t;
-    middle = v2;
-    if (middle < 0.0)
+    v3 = v2;
+    v3_t = v2_t;
+    if (0.0 > v3)
     {
-        middle_t = 0.0;
-        middle = 0.0;
+        v3 = 0.0;
+        v3_t = 0.0;
     }
+    middle_t = v3_t;
+    middle = v3;
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
@@ -1061,13 +1100,15 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
         least = coefficients__FLOOR * A;
         if (prepared)
         {
-            B_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
-            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            if (B < least)
+            v4 = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
+            v4_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
+            if (least > v4)
             {
-                B_t = least_t;
-                B = least;
+                v4 = least;
+                v4_t = least_t;
             }
+            B_t = v4_t;
+            B = v4;
             secant_t = B_t;
             secant = B;
             side_t = B_t;
@@ -1077,18 +1118,18 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
         {
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
-        v4 = secant / A;
-        derivative_coefficients__table_value_t(&v3, &v3_t, tables, table, INT64_C(0), log(v4), (secant_t - v4 * A_t) / A / v4);
-        alpha_t = v3_t;
-        alpha = v3;
-        v6 = A / side;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (A_t - v6 * side_t) / side / v6);
-        beta_t = v5_t;
-        beta = v5;
-        v8 = B / A;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(6), log(v8), (B_t - v8 * A_t) / A / v8);
-        nr_t = v7_t;
-        nr = v7;
+        v6 = secant / A;
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (secant_t - v6 * A_t) / A / v6);
+        alpha_t = v5_t;
+        alpha = v5;
+        v8 = A / side;
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), log(v8), (A_t - v8 * side_t) / side / v8);
+        beta_t = v7_t;
+        beta = v7;
+        v10 = B / A;
+        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), log(v10), (B_t - v10 * A_t) / A / v10);
+        nr_t = v9_t;
+        nr = v9;
         if (yawed)
         {
             alpha_t = alpha_t * alpha_factor + alpha * alpha_factor_t;
@@ -1102,9 +1143,9 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
         (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta_t * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
         (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        v9 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v9) * nr_t / nr;
-        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v9;
+        v11 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
+        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v11) * nr_t / nr;
+        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v11;
         (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha_t * A + alpha * A_t;
         (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
     }
@@ -1112,10 +1153,13 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
 }
 
 /* Derivative of ``skew_factors``. */
-static inline int64_t derivative_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
+static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
 {
     int64_t table;
     double v1;
+    double v2;
+    double v3;
+    double v3_t;
     double B_t;
     double B;
     double alpha;
@@ -1132,21 +1176,24 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v2, double
     double skewed_nr_t;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
-    B_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
-    B = 0.5 * v1;
-    if (B < coefficients__FLOOR * A)
+    v2 = coefficients__FLOOR * A;
+    v3 = 0.5 * v1;
+    v3_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    if (v2 > v3)
     {
-        B_t = coefficients__FLOOR * A_t;
-        B = coefficients__FLOOR * A;
+        v3 = v2;
+        v3_t = coefficients__FLOOR * A_t;
     }
+    B_t = v3_t;
+    B = v3;
     derivative_coefficients__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
-    (*v2) = skewed_alpha / alpha;
-    (*v3) = skewed_beta / beta;
-    (*v4) = skewed_nr / nr;
-    (*result_1) = (skewed_alpha_t - (*v2) * alpha_t) / alpha;
-    (*result_3) = (skewed_beta_t - (*v3) * beta_t) / beta;
-    (*result_5) = (skewed_nr_t - (*v4) * nr_t) / nr;
+    (*v4) = skewed_alpha / alpha;
+    (*v5) = skewed_beta / beta;
+    (*v6) = skewed_nr / nr;
+    (*result_1) = (skewed_alpha_t - (*v4) * alpha_t) / alpha;
+    (*result_3) = (skewed_beta_t - (*v5) * beta_t) / beta;
+    (*result_5) = (skewed_nr_t - (*v6) * nr_t) / nr;
     return 0;
 }
 
@@ -1183,7 +1230,7 @@ static inline int64_t derivative_estimate__guess_penetration_t(double* v8, doubl
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     double A_t;
     double A;
@@ -1198,6 +1245,12 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     double B;
     double v3;
     double v4;
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
     double v5;
     double v5_t;
     double stiffness_t;
@@ -1209,7 +1262,7 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     guess_t = v1_t;
     guess = v1;
-    derivative_widths__measure_widths_t(work, work_t, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
+    derivative_widths__measure_widths_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
     width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
@@ -1227,7 +1280,8 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
         B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
         B = v4;
     }
-    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
     v6 = force / stiffness;
@@ -1238,14 +1292,14 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
 }
 
 /* Derivative of ``first_penetration``. */
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     double v2;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
-    derivative_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    derivative_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return 0;
 }
 
@@ -1254,18 +1308,24 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
 {
     int64_t i;
     int64_t region;
+    double v1;
+    double v2;
+    double v2_t;
     double local_t;
     double local;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
-        local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
-        if (local < estimate__LEAST_SHARE * penetration)
+        v1 = estimate__LEAST_SHARE * penetration;
+        v2 = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        v2_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        if (v1 > v2)
         {
-            local_t = estimate__LEAST_SHARE * penetration_t;
-            local = estimate__LEAST_SHARE * penetration;
+            v2 = v1;
+            v2_t = estimate__LEAST_SHARE * penetration_t;
         }
+        local_t = v2_t;
+        local = v2;
         (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = local_t;
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
@@ -1690,18 +1750,22 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
 /* Derivative of ``trace_tolerance``. */
 static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t)
 {
-    (*tolerance_t) = nodes__TRACE_SHARE * spacing_t;
-    (*tolerance) = nodes__TRACE_SHARE * spacing;
-    if ((*tolerance) > nodes__COARSEST_TRACE)
+    double v1;
+    double v1_t;
+    v1 = nodes__TRACE_SHARE * spacing;
+    v1_t = nodes__TRACE_SHARE * spacing_t;
+    if (nodes__COARSEST_TRACE < v1)
     {
-        (*tolerance_t) = 0.0;
-        (*tolerance) = nodes__COARSEST_TRACE;
+        v1 = nodes__COARSEST_TRACE;
+        v1_t = 0.0;
     }
+    (*tolerance_t) = v1_t;
+    (*tolerance) = v1;
     return 0;
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
 {
     double v1;
     double v1_t;
@@ -1724,7 +1788,7 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     derivative_curves__open_origin_t(work, work_t, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
     (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
@@ -1738,11 +1802,11 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
-    n4 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
+    n4 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n4;
     (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    n5 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
+    n5 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n5;
     (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
@@ -1794,7 +1858,7 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
     double station_t;
@@ -1813,7 +1877,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
     station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
     derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, v2, v2_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, station, station_t, v2, v2_t);
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -1834,7 +1898,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -1867,12 +1931,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, a
     {
         if ((k == traced) && (!ended))
         {
-            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
+            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
                 derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
+                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -1971,6 +2035,8 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
     double rest;
     double v2;
     double v3;
+    double v4;
+    double v4_t;
     double gap_t;
     double gap;
     low_t = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + start));
@@ -1995,13 +2061,15 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         rest = 1.0 - x;
         v2 = rest * forward - x * backward;
         v3 = rise + rest * v2;
-        gap_t = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
-        gap = low + x * v3;
-        if (gap < 0.0)
+        v4 = low + x * v3;
+        v4_t = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
+        if (0.0 > v4)
         {
-            gap_t = 0.0;
-            gap = 0.0;
+            v4 = 0.0;
+            v4_t = 0.0;
         }
+        gap_t = v4_t;
+        gap = v4;
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap_t;
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
@@ -2056,20 +2124,28 @@ static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work,
 /* Derivative of ``zone_share``. */
 static inline int64_t derivative_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
 {
-    double v2;
     double v1;
-    double v1_t;
+    double v2;
+    double v2_t;
+    double v4;
     double v3;
-    if (side < coefficients__FLOOR * A)
+    double v3_t;
+    double v5;
+    v1 = coefficients__FLOOR * A;
+    v2 = side;
+    v2_t = side_t;
+    if (v1 > v2)
     {
-        side_t = coefficients__FLOOR * A_t;
-        side = coefficients__FLOOR * A;
+        v2 = v1;
+        v2_t = coefficients__FLOOR * A_t;
     }
-    v2 = A / side;
-    derivative_coefficients__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
-    v3 = nodes__SPREAD / v1;
-    (*share_t) = (-v3) * v1_t / v1;
-    (*share) = v3;
+    side_t = v2_t;
+    side = v2;
+    v4 = A / side;
+    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v4), (A_t - v4 * side_t) / side / v4);
+    v5 = nodes__SPREAD / v3;
+    (*share_t) = (-v5) * v3_t / v3;
+    (*share) = v5;
     if (((*share) > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         (*share_t) = 0.0;
@@ -2084,47 +2160,57 @@ static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* 
     double v1;
     double mean_t;
     double mean;
+    double v2;
+    double v2_t;
     double widest_t;
     double widest;
-    double v2;
     double v3;
+    double v4;
     double least_t;
     double least;
-    int64_t v4;
     double v5;
+    double v5_t;
+    int64_t v6;
+    double v7;
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
     mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
-    widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
-    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
+    v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > v2)
     {
-        widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
-        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+        v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+        v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
     }
-    v2 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    v3 = sqrt(v2);
-    least_t = nodes__NARROWEST * derivative_rates__root_rate(v3, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    least = nodes__NARROWEST * v3;
-    if (mean < least)
+    widest_t = v2_t;
+    widest = v2;
+    v3 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v4 = sqrt(v3);
+    least_t = nodes__NARROWEST * derivative_rates__root_rate(v4, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v3 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    least = nodes__NARROWEST * v4;
+    v5 = mean;
+    v5_t = mean_t;
+    if (least > v5)
     {
-        mean_t = least_t;
-        mean = least;
+        v5 = least;
+        v5_t = least_t;
     }
-    v4 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    (*spacing_t) = mean_t / v4;
-    (*spacing) = mean / v4;
-    if (widest * enlarge > nodes__WIDEST * (*spacing))
+    mean_t = v5_t;
+    mean = v5;
+    v6 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
+    (*spacing_t) = mean_t / v6;
+    (*spacing) = mean / v6;
+    if (widest * enlarge > nodes__NODE_ROOM * (*spacing))
     {
-        v5 = widest * enlarge;
-        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / nodes__WIDEST;
-        (*spacing) = v5 / nodes__WIDEST;
+        v7 = widest * enlarge;
+        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / nodes__NODE_ROOM;
+        (*spacing) = v7 / nodes__NODE_ROOM;
     }
     return 0;
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double enlarge, double enlarge_t)
 {
     int64_t i;
     int64_t region;
@@ -2134,18 +2220,18 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, 
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        derivative_widths__measure_widths_t(work, work_t, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_widths__measure_widths_t(work, work_t, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
-        derivative_nodes__prepare_nodes_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
+        derivative_nodes__prepare_nodes_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
 {
     bool yawed;
     double reach_t;
@@ -2181,7 +2267,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, ar
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    derivative_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    derivative_nodes__lay_nodes_t(work, work_t, tables, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     derivative_nodes__bring_nearer_t(work, work_t, region, nodes);
     derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -2207,43 +2293,46 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     int64_t table;
     double A_t;
     double A;
+    double v1;
+    double v2;
+    double v2_t;
     double B_t;
     double B;
-    double v1;
-    double v1_t;
-    double stiffness_t;
-    double stiffness;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double load_t;
-    double load;
-    double v8;
-    double v9;
     double one_alpha;
     double one_alpha_t;
     double one_beta;
     double one_beta_t;
     double nr;
     double nr_t;
+    double v3;
+    double v3_t;
+    double stiffness_t;
+    double stiffness;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double v9;
+    double load_t;
+    double load;
     double v10;
     double v11;
     double v12;
-    double half_length_t;
-    double half_length;
     double v13;
     double v14;
+    double half_length_t;
+    double half_length;
     double v15;
+    double v16;
+    double v17;
     double half_width_t;
     double half_width;
-    int64_t n16;
+    int64_t n18;
     int64_t patch;
-    double v17;
-    double v18;
     double v19;
+    double v20;
+    double v21;
     double pressure_t;
     double pressure;
     derivative_frame__locate_along_track_t(work, work_t, tables, INT64_C(1));
@@ -2251,35 +2340,39 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
-    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    if (!(B > coefficients__FLOOR * A))
+    v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    v2 = coefficients__FLOOR * A;
+    v2_t = coefficients__FLOOR * A_t;
+    if (v1 > v2)
     {
-        B_t = coefficients__FLOOR * A_t;
-        B = coefficients__FLOOR * A;
+        v2 = v1;
+        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
     }
-    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, tables, table, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v1_t;
-    stiffness = v1;
+    B_t = v2_t;
+    B = v2;
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v3, &v3_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    stiffness_t = v3_t;
+    stiffness = v3;
     (*penetration_t) = prescribed_t;
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
-        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
-        v3 = force / v2;
-        v4 = 2.0 / 3.0;
-        v5 = pow(v3, v4);
-        (*penetration_t) = derivative_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v2);
-        (*penetration) = v5;
+        v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
+        v5 = force / v4;
+        v6 = 2.0 / 3.0;
+        v7 = pow(v5, v6);
+        (*penetration_t) = derivative_rates__power_rate(v7, v5, v6, (force_t - v5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v4);
+        (*penetration) = v7;
     }
-    v6 = stiffness * (*penetration);
-    v7 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v7 + v6 * derivative_rates__root_rate(v7, (*penetration_t));
-    load = v6 * v7;
-    v8 = 1.5 * stiffness;
+    v8 = stiffness * (*penetration);
     v9 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * derivative_rates__root_rate(v9, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v8 * v9;
+    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v9 + v8 * derivative_rates__root_rate(v9, (*penetration_t));
+    load = v8 * v9;
+    v10 = 1.5 * stiffness;
+    v11 = sqrt((*penetration));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v11 + v10 * derivative_rates__root_rate(v11, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v10 * v11;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
@@ -2288,30 +2381,29 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    v10 = one_alpha * A;
-    v11 = (*penetration) / v10;
-    v12 = sqrt(v11);
-    half_length_t = derivative_rates__root_rate(v12, ((*penetration_t) - v11 * (one_alpha_t * A + one_alpha * A_t)) / v10);
-    half_length = v12;
-    v13 = one_beta * B;
-    v14 = (*penetration) / v13;
-    v15 = sqrt(v14);
-    half_width_t = derivative_rates__root_rate(v15, ((*penetration_t) - v14 * (one_beta_t * B + one_beta * B_t)) / v13);
-    half_width = v15;
+    v12 = one_alpha * A;
+    v13 = (*penetration) / v12;
+    v14 = sqrt(v13);
+    half_length_t = derivative_rates__root_rate(v14, ((*penetration_t) - v13 * (one_alpha_t * A + one_alpha * A_t)) / v12);
+    half_length = v14;
+    v15 = one_beta * B;
+    v16 = (*penetration) / v15;
+    v17 = sqrt(v16);
+    half_width_t = derivative_rates__root_rate(v17, ((*penetration_t) - v16 * (one_beta_t * B + one_beta * B_t)) / v15);
+    half_width = v17;
     derivative_filling__clear_patches_t(work, work_t, side);
-    n16 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n16;
+    n18 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n18;
     derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
-    v17 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v17 * half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v17 * half_width;
+    v19 = M_PI * half_length;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v19 * half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v19 * half_width;
     (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v18 = 1.5 * load;
-    v19 = v18 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v19 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v19;
+    v20 = 1.5 * load;
+    v21 = v20 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure_t = (1.5 * load_t - v21 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v21;
     (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
     (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
@@ -2324,7 +2416,7 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
 }
 
 /* Derivative of ``solve_normal``. */
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -2334,15 +2426,15 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, force, force_t);
+        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, force, force_t);
     }
     else
     {
-        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     }
     return 0;
 }
@@ -2476,6 +2568,8 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d w
     int64_t region;
     double local_t;
     double local;
+    double v1;
+    double v1_t;
     index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -2488,11 +2582,15 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d w
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
                 local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-                if (local > (*cspan_at(&work, patch + layout__PATCH_PENETRATION)))
+                v1 = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
+                v1_t = (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION));
+                if (local > v1)
                 {
-                    (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = local_t;
-                    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = local;
+                    v1 = local;
+                    v1_t = local_t;
                 }
+                (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = v1_t;
+                (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = v1;
                 derivative_patch_places__place_load_t(work, work_t, tables, region, patch, number);
             }
         }
@@ -2755,7 +2853,7 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d wo
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double deepest, double deepest_t)
 {
     int64_t index;
     int64_t region;
@@ -2763,34 +2861,39 @@ static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d wor
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         derivative_frame__enter_plane_t(work, work_t, region, index);
-        derivative_strip_contact__measure_zone_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
+        derivative_strip_contact__measure_zone_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
         derivative_frame__leave_plane_t(work, work_t, region);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t zone, double deepest, double deepest_t)
 {
     double depth_t;
     double depth;
+    double v1;
+    double v2;
+    double v2_t;
     double shallow_t;
     double shallow;
     double level_t;
     double level;
+    double v3;
+    double v3_t;
     double bend_t;
     double bend;
-    double v1;
-    double v2;
-    double v3;
+    double v4;
+    double v5;
+    double v6;
     double estimate_t;
     double estimate;
-    double v4;
-    double v4_t;
+    double v7;
+    double v7_t;
     double high_t;
     double high;
-    double v5;
-    double v5_t;
+    double v8;
+    double v8_t;
     double low_t;
     double low;
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
@@ -2799,13 +2902,16 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow_t = strip_contact__SHALLOW * deepest_t;
-    shallow = strip_contact__SHALLOW * deepest;
-    if (shallow > strip_contact__OWN_SHALLOW * depth)
+    v1 = strip_contact__OWN_SHALLOW * depth;
+    v2 = strip_contact__SHALLOW * deepest;
+    v2_t = strip_contact__SHALLOW * deepest_t;
+    if (v1 < v2)
     {
-        shallow_t = strip_contact__OWN_SHALLOW * depth_t;
-        shallow = strip_contact__OWN_SHALLOW * depth;
+        v2 = v1;
+        v2_t = strip_contact__OWN_SHALLOW * depth_t;
     }
+    shallow_t = v2_t;
+    shallow = v2;
     level_t = depth_t - shallow_t;
     level = depth - shallow;
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
@@ -2814,26 +2920,28 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
     {
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
-        bend = (*cspan_at(&work, region + layout__REGION_BEND));
-        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
+        v3 = (*cspan_at(&work, region + layout__REGION_BEND));
+        v3_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+        if ((*cspan_at(&work, region + layout__REGION_CURVATURE)) > v3)
         {
-            bend_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
+            v3 = (*cspan_at(&work, region + layout__REGION_CURVATURE));
+            v3_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
         }
-        v1 = 2.0 * level;
-        v2 = v1 / bend;
-        v3 = sqrt(v2);
-        estimate_t = derivative_rates__root_rate(v3, (2.0 * level_t - v2 * bend_t) / bend);
-        estimate = v3;
+        bend_t = v3_t;
+        bend = v3;
+        v4 = 2.0 * level;
+        v5 = v4 / bend;
+        v6 = sqrt(v5);
+        estimate_t = derivative_rates__root_rate(v6, (2.0 * level_t - v5 * bend_t) / bend);
+        estimate = v6;
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v4, &v4_t, work, work_t, tables, region, state, 1.0, 0.0, level, level_t, estimate, estimate_t);
-        high_t = v4_t;
-        high = v4;
-        derivative_widths__width_rule_t(&v5, &v5_t, work, work_t, tables, region, state, -1.0, 0.0, level, level_t, high, high_t);
-        low_t = v5_t;
-        low = v5;
+        derivative_widths__width_rule_t(&v7, &v7_t, work, work_t, tables, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
+        high_t = v7_t;
+        high = v7;
+        derivative_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, -1.0, 0.0, level, level_t, high, high_t);
+        low_t = v8_t;
+        low = v8;
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
@@ -2843,31 +2951,31 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, int64_t wanted)
 {
     derivative_strip_layout__divide_cells_t(work, work_t, count, wanted);
-    derivative_strip_surfaces__trace_strips_t(work, work_t, tables, state, count);
+    derivative_strip_surfaces__trace_strips_t(work, work_t, tables, count);
     derivative_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     derivative_strip_surfaces__incline_strips_t(work, work_t, tables);
     return INT64_C(0);
 }
 
 /* Derivative of ``first_layout``. */
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
     bool found;
     int64_t sweep;
     derivative_strip_layout__zone_cells_t(work, work_t, count);
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
     derivative_strip_surfaces__first_lengths_t(work, work_t, tables, count);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, by_penetration);
+        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, by_penetration);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2886,7 +2994,7 @@ static inline int64_t derivative_strip_contact__first_layout_t(double* result_0,
 }
 
 /* Derivative of ``second_layout``. */
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
@@ -2895,7 +3003,7 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
     int64_t sweep;
     bool last;
     bool given;
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     derivative_strip_surfaces__lengths_before_t(work, work_t, tables);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -2909,7 +3017,7 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
         {
             given = by_penetration;
         }
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, given);
+        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, given);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2933,16 +3041,16 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
 }
 
 /* Derivative of ``solve_strips``. */
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration)
 {
     derivative_strip_surfaces__set_gaps_t(work, work_t);
     derivative_strip_pressures__begin_influences_t(work, work_t);
-    derivative_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, state, force, force_t, by_penetration, frame__is_yawed(work));
+    derivative_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, force, force_t, by_penetration, frame__is_yawed(work));
     return 0;
 }
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     int64_t n1;
@@ -2960,9 +3068,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     by_penetration = isfinite(prescribed);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+        n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
         count = n1;
-        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, 1);
+        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, 1);
     }
     else
     {
@@ -2970,7 +3078,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         estimate = prescribed;
         if (!by_penetration)
         {
-            derivative_estimate__first_penetration_t(&v2, &v2_t, work, work_t, tables, state, force, force_t);
+            derivative_estimate__first_penetration_t(&v2, &v2_t, work, work_t, tables, force, force_t);
             estimate_t = v2_t;
             estimate = v2;
         }
@@ -2982,7 +3090,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         {
             estimate_t = penetration_t;
             estimate = penetration;
-            n3 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, state, estimate, estimate_t);
+            n3 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
             if (n3 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
@@ -2991,10 +3099,10 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 (*result_3) = 0;
                 return 0;
             }
-            n4 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+            n4 = derivative_strip_contact__open_zones_t(work, work_t, tables);
             count = n4;
-            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
-            if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
+            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
+            if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
             {
                 break;
             }
@@ -3008,7 +3116,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     }
     if (satisfied)
     {
-        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, by_penetration);
+        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
     }
     if (satisfied)
     {
@@ -3027,12 +3135,12 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     int64_t n1;
-    n1 = derivative_strip_contact__open_zones_t(work, work_t, tables, state);
+    n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
     (*count) = n1;
-    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, 0);
+    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, 0);
     if ((*satisfied))
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
@@ -3041,17 +3149,17 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
 {
     int64_t n1;
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
+    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_contact__find_zones_t(work, work_t, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_contact__find_zones_t(work, work_t, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -3150,37 +3258,43 @@ static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d wor
     double largest_t;
     double largest;
     int64_t i;
+    double v1;
+    double v1_t;
     double width_t;
     double width;
     double change_t;
     double change;
-    double v1;
-    double v1_t;
     double v2;
+    double v2_t;
+    double v3;
     int64_t strip;
     int64_t cell;
-    double v3;
-    double v3_t;
     double v4;
+    double v4_t;
     double v5;
     double v6;
+    double v7;
     double weight_t;
     double weight;
-    double v7;
     double v8;
-    double v8_t;
     double v9;
+    double v9_t;
     double v10;
+    double v11;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     largest_t = 0.0;
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > largest)
+        v1 = largest;
+        v1_t = largest_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > v1)
         {
-            largest_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            largest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
         }
+        largest_t = v1_t;
+        largest = v1;
     }
     width_t = 0.0;
     width = 0.0;
@@ -3188,14 +3302,14 @@ static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d wor
     change = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        derivative_strip_layout__loaded_share_t(&v1, &v1_t, work, work_t, count, i, largest, largest_t);
-        width_t = width_t + (v1_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
-        width = width + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        derivative_strip_layout__loaded_share_t(&v2, &v2_t, work, work_t, count, i, largest, largest_t);
+        width_t = width_t + (v2_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
+        width = width + v2 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
         if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
         {
-            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            change_t = change_t + derivative_rates__size_rate(v2, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-            change = change + fabs(v2);
+            v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+            change_t = change_t + derivative_rates__size_rate(v3, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
+            change = change + fabs(v3);
         }
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -3212,20 +3326,20 @@ static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d wor
         (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
         (*cspan_at(&work_t, cell + layout__STRIP_CELL_LOADED)) = 0.0;
         (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
-        derivative_strip_layout__loaded_share_t(&v3, &v3_t, work, work_t, count, i, largest, largest_t);
-        v4 = strip_layout__EVEN * v3;
-        v5 = v4 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        v6 = v5 / width;
-        weight_t = (strip_layout__EVEN * v3_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v4 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v6 * width_t) / width;
-        weight = v6;
+        derivative_strip_layout__loaded_share_t(&v4, &v4_t, work, work_t, count, i, largest, largest_t);
+        v5 = strip_layout__EVEN * v4;
+        v6 = v5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        v7 = v6 / width;
+        weight_t = (strip_layout__EVEN * v4_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v7 * width_t) / width;
+        weight = v7;
         if (change > 0.0)
         {
-            v7 = (1.0 - strip_layout__EVEN) * 0.5;
-            derivative_strip_layout__pressure_changes_t(&v8, &v8_t, work, work_t, count, i);
-            v9 = v7 * v8;
-            v10 = v9 / change;
-            weight_t = weight_t + (v7 * v8_t - v10 * change_t) / change;
-            weight = weight + v10;
+            v8 = (1.0 - strip_layout__EVEN) * 0.5;
+            derivative_strip_layout__pressure_changes_t(&v9, &v9_t, work, work_t, count, i);
+            v10 = v8 * v9;
+            v11 = v10 / change;
+            weight_t = weight_t + (v8 * v9_t - v11 * change_t) / change;
+            weight = weight + v11;
         }
         (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = weight_t;
         (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = weight;
@@ -3241,34 +3355,50 @@ static inline int64_t derivative_strip_layout__loaded_share_t(double* share, dou
     double pressure_t;
     double pressure;
     double v1;
+    double v1_t;
     double v2;
+    double v2_t;
+    double v3;
+    double v4;
+    double v5;
+    double v5_t;
     pressure_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
     pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
     if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
+        v1 = pressure;
+        v1_t = pressure_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > v1)
         {
-            pressure_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
         }
+        pressure_t = v1_t;
+        pressure = v1;
     }
     if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
+        v2 = pressure;
+        v2_t = pressure_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > v2)
         {
-            pressure_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
+            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
+            v2_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
         }
+        pressure_t = v2_t;
+        pressure = v2;
     }
-    v1 = strip_layout__LOADED * largest;
-    v2 = pressure / v1;
-    (*share_t) = (pressure_t - v2 * (strip_layout__LOADED * largest_t)) / v1;
-    (*share) = v2;
-    if ((*share) > 1.0)
+    v3 = strip_layout__LOADED * largest;
+    v4 = pressure / v3;
+    v5 = v4;
+    v5_t = (pressure_t - v4 * (strip_layout__LOADED * largest_t)) / v3;
+    if (1.0 < v5)
     {
-        (*share_t) = 0.0;
-        (*share) = 1.0;
+        v5 = 1.0;
+        v5_t = 0.0;
     }
+    (*share_t) = v5_t;
+    (*share) = v5;
     return 0;
 }
 
@@ -3354,15 +3484,7 @@ static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d wo
         derivative_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
         if (weight > 0.0)
         {
-            number = (int64_t)(weight / each + 0.5);
-            if (number < strip_layout__FEWEST)
-            {
-                number = strip_layout__FEWEST;
-            }
-            if (number > layout__STRIP_LIMIT - made)
-            {
-                number = layout__STRIP_LIMIT - made;
-            }
+            number = int64_t_min(2, int64_t_max(2, (int64_t)(weight / each + 0.5), strip_layout__FEWEST), layout__STRIP_LIMIT - made);
             derivative_strip_layout__cut_run_t(work, work_t, first, made, number, weight, weight_t);
             made = made + number;
         }
@@ -3509,6 +3631,10 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
     double v3_t;
     double v4;
     double v5;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
     double rest_t;
     double rest;
     last = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1);
@@ -3537,18 +3663,22 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
             derivative_strip_layout__cell_middle_t(&v3, &v3_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
             v4 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - v3;
             v5 = v4 / reach;
-            share_t = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - v3_t - v5 * reach_t) / reach;
-            share = v5;
-            if (share < 0.0)
+            v6 = v5;
+            v6_t = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - v3_t - v5 * reach_t) / reach;
+            if (0.0 > v6)
             {
-                share_t = 0.0;
-                share = 0.0;
+                v6 = 0.0;
+                v6_t = 0.0;
             }
-            if (share > 1.0)
+            v7 = v6;
+            v7_t = v6_t;
+            if (1.0 < v7)
             {
-                share_t = 0.0;
-                share = 1.0;
+                v7 = 1.0;
+                v7_t = 0.0;
             }
+            share_t = v7_t;
+            share = v7;
         }
         rest_t = -share_t;
         rest = 1.0 - share;
@@ -3655,17 +3785,28 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
     double move;
     double v12;
     double v13;
-    double rise_t;
-    double rise;
+    double v13_t;
     double v14;
     double v15;
     double v16;
+    double v16_t;
     double v17;
     double v18;
+    double v19;
+    double v20;
+    double v21;
+    double v21_t;
+    double rise_t;
+    double rise;
+    double v22;
+    double v23;
+    double v24;
+    double v25;
+    double v25_t;
     double ratio_t;
     double ratio;
-    double v19;
-    double v19_t;
+    double v26;
+    double v26_t;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
@@ -3702,43 +3843,56 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
         v11 = v8 / v10;
         move_t = (v6 * (front_t + front_gap_t - back_t - back_gap_t) - v11 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v9 * away_t)) / v10;
         move = v11;
-        if (move > strip_lengths__FARTHEST_MOVE * half)
+        v12 = strip_lengths__FARTHEST_MOVE * half;
+        v13 = move;
+        v13_t = move_t;
+        if (v12 < v13)
         {
-            move_t = strip_lengths__FARTHEST_MOVE * half_t;
-            move = strip_lengths__FARTHEST_MOVE * half;
+            v13 = v12;
+            v13_t = strip_lengths__FARTHEST_MOVE * half_t;
         }
-        if (move < (-strip_lengths__FARTHEST_MOVE) * half)
+        v14 = -strip_lengths__FARTHEST_MOVE;
+        v15 = v14 * half;
+        v16 = v13;
+        v16_t = v13_t;
+        if (v15 > v16)
         {
-            v12 = -strip_lengths__FARTHEST_MOVE;
-            move_t = v12 * half_t;
-            move = v12 * half;
+            v16 = v15;
+            v16_t = v14 * half_t;
         }
+        move_t = v16_t;
+        move = v16;
         (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + move_t;
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
     }
-    v13 = front_gap + back_gap;
-    rise_t = 0.5 * (front_gap_t + back_gap_t);
-    rise = 0.5 * v13;
-    if (rise < strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away)
+    v17 = front_gap + back_gap;
+    v18 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
+    v19 = v18 * away;
+    v20 = v19 * away;
+    v21 = 0.5 * v17;
+    v21_t = 0.5 * (front_gap_t + back_gap_t);
+    if (v20 > v21)
     {
-        v14 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
-        v15 = v14 * away;
-        rise_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v14 * away_t) * away + v15 * away_t;
-        rise = v15 * away;
+        v21 = v20;
+        v21_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v18 * away_t) * away + v19 * away_t;
     }
-    v16 = front + back;
-    v17 = needed - 0.5 * v16;
-    v18 = v17 / rise;
-    ratio_t = (needed_t - 0.5 * (front_t + back_t) - v18 * rise_t) / rise;
-    ratio = v18;
-    if (!(ratio > 0.0))
+    rise_t = v21_t;
+    rise = v21;
+    v22 = front + back;
+    v23 = needed - 0.5 * v22;
+    v24 = v23 / rise;
+    v25 = 0.0;
+    v25_t = 0.0;
+    if (v24 > v25)
     {
-        ratio_t = 0.0;
-        ratio = 0.0;
+        v25 = v24;
+        v25_t = (needed_t - 0.5 * (front_t + back_t) - v24 * rise_t) / rise;
     }
-    derivative_strip_lengths__corrected_t(&v19, &v19_t, ratio, ratio_t, power, power_t);
-    (*result_0) = half * v19;
-    (*result_1) = half_t * v19 + half * v19_t;
+    ratio_t = v25_t;
+    ratio = v25;
+    derivative_strip_lengths__corrected_t(&v26, &v26_t, ratio, ratio_t, power, power_t);
+    (*result_0) = half * v26;
+    (*result_1) = half_t * v26 + half * v26_t;
     return 0;
 }
 
@@ -3760,14 +3914,15 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
     double v4;
     double v5;
     double v6;
+    double v6_t;
     double v7;
+    double v8;
     double share_t;
     double share;
-    double v8;
-    double v8_t;
+    double v9;
+    double v9_t;
     double beside_t;
     double beside;
-    double v9;
     double v10;
     double v11;
     double v12;
@@ -3775,6 +3930,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
     double v14;
     double v15;
     double v16;
+    double v17;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     largest_t = 0.0;
@@ -3805,29 +3961,33 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
             v5 = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = ((*cspan_at(&work_t, strip + layout__STRIP_Y)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v5;
-            if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > largest)
+            v6 = largest;
+            v6_t = largest_t;
+            if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > v6)
             {
-                largest_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
-                largest = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+                v6 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+                v6_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
             }
+            largest_t = v6_t;
+            largest = v6;
         }
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        v6 = strip_lengths__LIGHT * largest;
-        v7 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / v6;
-        share_t = ((*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) - v7 * (strip_lengths__LIGHT * largest_t)) / v6;
-        share = v7;
+        v7 = strip_lengths__LIGHT * largest;
+        v8 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / v7;
+        share_t = ((*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) - v8 * (strip_lengths__LIGHT * largest_t)) / v7;
+        share = v8;
         if (share < 1.0)
         {
-            derivative_strip_lengths__neighbouring_length_t(&v8, &v8_t, work, work_t, count, i);
-            beside_t = v8_t;
-            beside = v8;
-            v9 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-            v10 = 1.0 - share;
-            half_t = share_t * v9 + share * derivative_rates__root_rate(v9, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * beside + v10 * beside_t);
-            half = share * v9 + v10 * beside;
+            derivative_strip_lengths__neighbouring_length_t(&v9, &v9_t, work, work_t, count, i);
+            beside_t = v9_t;
+            beside = v9;
+            v10 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
+            v11 = 1.0 - share;
+            half_t = share_t * v10 + share * derivative_rates__root_rate(v10, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * beside + v11 * beside_t);
+            half = share * v10 + v11 * beside;
             (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
         }
@@ -3837,14 +3997,14 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
         {
-            v11 = 2.0 / M_PI;
-            v12 = v11 * (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
-            v13 = v12 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            v14 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-            v15 = (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * v14;
-            v16 = v13 / v15;
-            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v11 * (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v12 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v16 * ((*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) * v14 + (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * derivative_rates__root_rate(v14, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))))) / v15;
-            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v16;
+            v12 = 2.0 / M_PI;
+            v13 = v12 * (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
+            v14 = v13 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            v15 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
+            v16 = (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * v15;
+            v17 = v14 / v16;
+            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v12 * (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v13 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v17 * ((*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) * v15 + (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * derivative_rates__root_rate(v15, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))))) / v16;
+            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v17;
         }
     }
     return INT64_C(0);
@@ -3922,30 +4082,50 @@ static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d 
     double longest_t;
     double longest;
     int64_t i;
+    double v1;
+    double v1_t;
     int64_t strip;
+    double v2;
+    double v3;
+    double v3_t;
+    double v4;
+    double v5;
+    double v5_t;
     longest_t = 0.0;
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > longest)
+        v1 = longest;
+        v1_t = longest_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > v1)
         {
-            longest_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-            longest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
         }
+        longest_t = v1_t;
+        longest = v1;
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SHORTEST * longest)
+        v2 = strip_lengths__SHORTEST * longest;
+        v3 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+        v3_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+        if (v2 > v3)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SHORTEST * longest_t;
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SHORTEST * longest;
+            v3 = v2;
+            v3_t = strip_lengths__SHORTEST * longest_t;
         }
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)))
+        v4 = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        v5 = v3;
+        v5_t = v3_t;
+        if (v4 > v5)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SQUARE * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            v5 = v4;
+            v5_t = strip_lengths__SQUARE * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
         }
+        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = v5_t;
+        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v5;
     }
     return INT64_C(0);
 }
@@ -4764,49 +4944,53 @@ static inline int64_t derivative_strip_pressures__middle_influence_t(double* res
 }
 
 /* Derivative of ``mean_at``. */
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
+static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
 {
     double half_t;
     double half;
+    double v1;
+    double v1_t;
     double near_t;
     double near;
     double far_t;
     double far;
-    double v2;
-    double v2_t;
-    double v1;
-    double v1_t;
-    double inner_t;
-    double inner;
-    double v4;
-    double v4_t;
     double v3;
     double v3_t;
+    double v2;
+    double v2_t;
+    double inner_t;
+    double inner;
+    double v5;
+    double v5_t;
+    double v4;
+    double v4_t;
     double outer_t;
     double outer;
-    double v5;
+    double v6;
     half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
     half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near_t = distance_t - half_t;
-    near = distance - half;
-    if (near < 0.0)
+    v1 = distance - half;
+    v1_t = distance_t - half_t;
+    if (0.0 > v1)
     {
-        near_t = 0.0;
-        near = 0.0;
+        v1 = 0.0;
+        v1_t = 0.0;
     }
+    near_t = v1_t;
+    near = v1;
     far_t = distance_t + half_t;
     far = distance + half;
-    derivative_strip_pressures__nearness_t(&v2, &v2_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, v2, v2_t, v, v_t);
-    inner_t = v1_t;
-    inner = v1;
-    derivative_strip_pressures__nearness_t(&v4, &v4_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, layout__INFLUENCE_MAP, v4, v4_t, v, v_t);
-    outer_t = v3_t;
-    outer = v3;
-    v5 = far * outer - near * inner;
-    (*v6) = v5 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v6) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    derivative_strip_pressures__nearness_t(&v3, &v3_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, layout__INFLUENCE_MAP, v3, v3_t, v, v_t);
+    inner_t = v2_t;
+    inner = v2;
+    derivative_strip_pressures__nearness_t(&v5, &v5_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, table, layout__INFLUENCE_MAP, v5, v5_t, v, v_t);
+    outer_t = v4_t;
+    outer = v4;
+    v6 = far * outer - near * inner;
+    (*v7) = v6 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v7) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
     return 0;
 }
 
@@ -5056,7 +5240,7 @@ static inline int64_t derivative_strip_pressures__end_displacement_t(double* tot
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration, bool yawed)
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
 {
     double penetration_t;
     double penetration;
@@ -5071,7 +5255,7 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* resu
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_STRIP_COUNT)) = (*cspan_at(&state, layout__STATE_STRIP_COUNT)) + 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
         derivative_strip_pressures__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         n1 = derivative_strip_pressures__list_loaded_t(work, work_t);
         size = n1;
@@ -5271,7 +5455,7 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
  */
 
 /* Derivative of ``trace_strips``. */
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -5298,7 +5482,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
                     derivative_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
                     started = 1;
                 }
-                derivative_strip_surfaces__trace_strip_t(work, work_t, tables, state, region, strip);
+                derivative_strip_surfaces__trace_strip_t(work, work_t, tables, region, strip);
             }
         }
         derivative_frame__leave_plane_t(work, work_t, region);
@@ -5307,7 +5491,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
 }
 
 /* Derivative of ``trace_strip``. */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t strip)
 {
     double gap;
     double gap_t;
@@ -5326,7 +5510,7 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d w
     double v3;
     double v4;
     double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
     (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
@@ -5491,19 +5675,29 @@ static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1
 static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t)
 {
     int64_t wheel;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
     double slope;
     double slope_t;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
+    v1 = y;
+    v1_t = y_t;
+    if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
     {
-        y_t = 0.0;
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+        v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+        v1_t = 0.0;
     }
-    if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
+    v2 = v1;
+    v2_t = v1_t;
+    if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
     {
-        y_t = 0.0;
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+        v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+        v2_t = 0.0;
     }
+    y_t = v2_t;
+    y = v2;
     derivative_tables__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
     return 0;
 }
@@ -5643,15 +5837,18 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    double overlap_t;
-    double overlap;
     double v13;
     double v14;
+    double v14_t;
+    double overlap_t;
+    double overlap;
+    double v15;
+    double v16;
     double farthest_t;
     double farthest;
-    double v16;
-    double v15;
-    double v15_t;
+    double v18;
+    double v17;
+    double v17_t;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
@@ -5709,16 +5906,19 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
             {
                 if (frame__is_yawed(work))
                 {
-                    overlap_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
-                    overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-                    if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
+                    v13 = strip_surfaces__LEAST_OVERLAP * depth;
+                    v14 = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+                    v14_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+                    if (v13 > v14)
                     {
-                        overlap_t = strip_surfaces__LEAST_OVERLAP * depth_t;
-                        overlap = strip_surfaces__LEAST_OVERLAP * depth;
+                        v14 = v13;
+                        v14_t = strip_surfaces__LEAST_OVERLAP * depth_t;
                     }
-                    v13 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
-                    v14 = sqrt(v13);
-                    derivative_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v14, strip_lengths__TESTED * derivative_rates__root_rate(v14, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                    overlap_t = v14_t;
+                    overlap = v14;
+                    v15 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
+                    v16 = sqrt(v15);
+                    derivative_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, strip_lengths__TESTED * derivative_rates__root_rate(v16, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
                 }
                 beta_t = low_beta_t;
                 beta = low_beta;
@@ -5730,10 +5930,10 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
                 derivative_strip_surfaces__first_length_t(work, work_t, strip, depth, depth_t, one_alpha, one_alpha_t, beta, beta_t);
                 farthest_t = strip_surfaces__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
                 farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-                v16 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
-                derivative_pressed__limited_t(&v15, &v15_t, lean * v16, lean_t * v16 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
-                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v15_t;
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v15;
+                v18 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
+                derivative_pressed__limited_t(&v17, &v17_t, lean * v18, lean_t * v18 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
+                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v17_t;
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v17;
             }
         }
     }
@@ -5785,6 +5985,9 @@ static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, dou
     double most;
     double v1;
     double v2;
+    double v3;
+    double v4;
+    double v4_t;
     most_t = strip_surfaces__SHARPEST_ZONE * A_t;
     most = strip_surfaces__SHARPEST_ZONE * A;
     (*B_t) = most_t;
@@ -5796,11 +5999,16 @@ static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, dou
         (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
         (*B) = v2;
     }
-    if ((*B) < strip_surfaces__FLATTEST_ZONE * A)
+    v3 = strip_surfaces__FLATTEST_ZONE * A;
+    v4 = (*B);
+    v4_t = (*B_t);
+    if (v3 > v4)
     {
-        (*B_t) = strip_surfaces__FLATTEST_ZONE * A_t;
-        (*B) = strip_surfaces__FLATTEST_ZONE * A;
+        v4 = v3;
+        v4_t = strip_surfaces__FLATTEST_ZONE * A_t;
     }
+    (*B_t) = v4_t;
+    (*B) = v4;
     return 0;
 }
 
@@ -5810,33 +6018,45 @@ static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d 
     double v1;
     double level_t;
     double level;
-    double least_t;
-    double least;
     double v2;
     double v3;
+    double v3_t;
+    double least_t;
+    double least;
     double v4;
+    double v4_t;
+    double v5;
+    double v6;
+    double v7;
     v1 = depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
     level_t = depth_t - (one_beta_t * v1 + one_beta * (depth_t - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP))));
     level = depth - one_beta * v1;
     (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
-    least_t = strip_surfaces__INSIDE * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
-    least = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    if (least < strip_surfaces__LEAST_OVERLAP * depth)
+    v2 = strip_surfaces__LEAST_OVERLAP * depth;
+    v3 = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
+    v3_t = strip_surfaces__INSIDE * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+    if (v2 > v3)
     {
-        least_t = strip_surfaces__LEAST_OVERLAP * depth_t;
-        least = strip_surfaces__LEAST_OVERLAP * depth;
+        v3 = v2;
+        v3_t = strip_surfaces__LEAST_OVERLAP * depth_t;
     }
-    if (level < least)
+    least_t = v3_t;
+    least = v3;
+    v4 = level;
+    v4_t = level_t;
+    if (least > v4)
     {
-        level_t = least_t;
-        level = least;
+        v4 = least;
+        v4_t = least_t;
     }
-    v2 = one_alpha * (*cspan_at(&work, strip + layout__STRIP_A));
-    v3 = level / v2;
-    v4 = sqrt(v3);
-    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v4, (level_t - v3 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v2);
-    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v4;
+    level_t = v4_t;
+    level = v4;
+    v5 = one_alpha * (*cspan_at(&work, strip + layout__STRIP_A));
+    v6 = level / v5;
+    v7 = sqrt(v6);
+    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v7, (level_t - v6 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v5);
+    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v7;
     return INT64_C(0);
 }
 

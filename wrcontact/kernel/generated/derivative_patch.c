@@ -264,6 +264,10 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
     int64_t index_end;
     int64_t index;
     int64_t one;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
     totals = side + layout__SIDE_SEARCH_TOTALS;
     (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
@@ -281,16 +285,24 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
         (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MOMENT));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)))
+        v1 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        v1_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > v1)
         {
-            (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
-            (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            v1 = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            v1_t = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
         }
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1_t;
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1;
+        v2 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        v2_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > v2)
         {
-            (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-            (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            v2 = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            v2_t = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         }
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2_t;
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2;
         if (index == INT64_C(0))
         {
             (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_START));
@@ -309,8 +321,8 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
  * Derivatives of outline.py.
  */
 
-/* Derivative of ``quadratic_at``. */
-static inline int64_t derivative_outline__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
+/* Derivative of ``curved_at``. */
+static inline int64_t derivative_outline__curved_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
 {
     int64_t index;
     int64_t region;
@@ -558,6 +570,10 @@ static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work
     double half_length;
     double pressure_t;
     double pressure;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
     start_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START));
     start = (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
     stop_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP));
@@ -580,18 +596,26 @@ static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            derivative_outline__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
+            derivative_outline__curved_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
-        if (half_length > largest)
+        v5 = half_length;
+        v5_t = half_length_t;
+        if (largest < v5)
         {
-            half_length_t = largest_t;
-            half_length = largest;
+            v5 = largest;
+            v5_t = largest_t;
         }
-        if (pressure > peak)
+        half_length_t = v5_t;
+        half_length = v5;
+        v6 = pressure;
+        v6_t = pressure_t;
+        if (peak < v6)
         {
-            pressure_t = peak_t;
-            pressure = peak;
+            v6 = peak;
+            v6_t = peak_t;
         }
+        pressure_t = v6_t;
+        pressure = v6;
         (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
         (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
@@ -645,10 +669,7 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
-            if (strip < (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))))
-            {
-                strip = (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST)));
-            }
+            strip = int64_t_max(2, strip, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))));
             while((strip <= (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
             {
                 strip = strip + INT64_C(1);
@@ -678,22 +699,34 @@ static inline int64_t derivative_quadrature__bend_of_t(double* bend, double* ben
     double v2;
     double limit_t;
     double limit;
+    double v3;
+    double v3_t;
+    double v4;
+    double v5;
+    double v5_t;
     v1 = before - 2.0 * low + high;
     (*bend_t) = 0.5 * (before_t - 2.0 * low_t + high_t);
     (*bend) = 0.5 * v1;
     v2 = fabs(low) + fabs(high);
     limit_t = 0.5 * (derivative_rates__size_rate(low, low_t) + derivative_rates__size_rate(high, high_t));
     limit = 0.5 * v2;
-    if ((*bend) > limit)
+    v3 = (*bend);
+    v3_t = (*bend_t);
+    if (limit < v3)
     {
-        (*bend_t) = limit_t;
-        (*bend) = limit;
+        v3 = limit;
+        v3_t = limit_t;
     }
-    if ((*bend) < -limit)
+    v4 = -limit;
+    v5 = v3;
+    v5_t = v3_t;
+    if (v4 > v5)
     {
-        (*bend_t) = -limit_t;
-        (*bend) = -limit;
+        v5 = v4;
+        v5_t = -limit_t;
     }
+    (*bend_t) = v5_t;
+    (*bend) = v5;
     return 0;
 }
 
@@ -724,18 +757,20 @@ static inline int64_t derivative_quadrature__cell_part_t(double* start, double* 
     double slope_t;
     double slope;
     double v2;
+    double v3;
+    double v3_t;
     double spread_t;
     double spread;
-    double v3;
+    double v4;
     double root_t;
     double root;
-    double v4;
     double v5;
     double v6;
     double v7;
     double v8;
     double v9;
     double v10;
+    double v11;
     (*start_t) = 0.0;
     (*start) = 0.0;
     (*stop_t) = 0.0;
@@ -753,36 +788,38 @@ static inline int64_t derivative_quadrature__cell_part_t(double* start, double* 
         slope_t = d_high_t - d_low_t - bend_t;
         slope = d_high - d_low - bend;
         v2 = 4.0 * bend;
-        spread_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * d_low + v2 * d_low_t);
-        spread = slope * slope - v2 * d_low;
-        if (spread < 0.0)
+        v3 = slope * slope - v2 * d_low;
+        v3_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * d_low + v2 * d_low_t);
+        if (0.0 > v3)
         {
-            spread_t = 0.0;
-            spread = 0.0;
+            v3 = 0.0;
+            v3_t = 0.0;
         }
-        v3 = sqrt(spread);
-        spread_t = derivative_rates__root_rate(v3, spread_t);
+        spread_t = v3_t;
         spread = v3;
+        v4 = sqrt(spread);
+        spread_t = derivative_rates__root_rate(v4, spread_t);
+        spread = v4;
         root_t = 0.0;
         root = 0.0;
         if (d_low > 0.0)
         {
-            v4 = 2.0 * d_low;
-            v5 = spread - slope;
-            v6 = v4 / v5;
-            root_t = (2.0 * d_low_t - v6 * (spread_t - slope_t)) / v5;
-            root = v6;
+            v5 = 2.0 * d_low;
+            v6 = spread - slope;
+            v7 = v5 / v6;
+            root_t = (2.0 * d_low_t - v7 * (spread_t - slope_t)) / v6;
+            root = v7;
             (*stop_t) = root_t;
             (*stop) = root;
         }
         else
         {
-            v7 = -2.0;
-            v8 = v7 * d_low;
-            v9 = spread + slope;
-            v10 = v8 / v9;
-            root_t = (v7 * d_low_t - v10 * (spread_t + slope_t)) / v9;
-            root = v10;
+            v8 = -2.0;
+            v9 = v8 * d_low;
+            v10 = spread + slope;
+            v11 = v9 / v10;
+            root_t = (v8 * d_low_t - v11 * (spread_t + slope_t)) / v10;
+            root = v11;
             (*start_t) = root_t;
             (*start) = root;
         }
@@ -946,14 +983,18 @@ static inline int64_t derivative_quadrature__root_integral_t(double* v2, double*
 static inline int64_t derivative_quadrature__quadratic_at_t(double* value, double* value_t, double low, double low_t, double slope, double slope_t, double bend, double bend_t, double x, double x_t)
 {
     double v1;
+    double v2;
+    double v2_t;
     v1 = slope + x * bend;
-    (*value_t) = low_t + (x_t * v1 + x * (slope_t + (x_t * bend + x * bend_t)));
-    (*value) = low + x * v1;
-    if ((*value) < 0.0)
+    v2 = low + x * v1;
+    v2_t = low_t + (x_t * v1 + x * (slope_t + (x_t * bend + x * bend_t)));
+    if (0.0 > v2)
     {
-        (*value_t) = 0.0;
-        (*value) = 0.0;
+        v2 = 0.0;
+        v2_t = 0.0;
     }
+    (*value_t) = v2_t;
+    (*value) = v2;
     return 0;
 }
 

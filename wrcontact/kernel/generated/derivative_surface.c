@@ -82,6 +82,8 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
     double v12;
     double v13;
     double v14;
+    double v15;
+    double v15_t;
     r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     v1 = 1.0 / r;
@@ -120,15 +122,17 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
         v10 = bend * e2;
         v11 = v9 - v10 * e2;
         v12 = v11 / steep;
-        (*curvature_t) = ((around_t * around + around * around_t - v9 * r_t) / r - ((bend_t * e2 + bend * e2_t) * e2 + v10 * e2_t) - v12 * steep_t) / steep;
-        (*curvature) = v12;
-        if ((*curvature) < curvature__CURVATURE_FLOOR / (r * steep))
+        v13 = r * steep;
+        v14 = curvature__CURVATURE_FLOOR / v13;
+        v15 = v12;
+        v15_t = ((around_t * around + around * around_t - v9 * r_t) / r - ((bend_t * e2 + bend * e2_t) * e2 + v10 * e2_t) - v12 * steep_t) / steep;
+        if (v14 > v15)
         {
-            v13 = r * steep;
-            v14 = curvature__CURVATURE_FLOOR / v13;
-            (*curvature_t) = (-v14) * (r_t * steep + r * steep_t) / v13;
-            (*curvature) = v14;
+            v15 = v14;
+            v15_t = (-v14) * (r_t * steep + r * steep_t) / v13;
         }
+        (*curvature_t) = v15_t;
+        (*curvature) = v15;
     }
     return 0;
 }
@@ -387,44 +391,54 @@ static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, arra
 /* Derivative of ``around_wheel``. */
 static inline int64_t derivative_locus__around_wheel_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double slope, double slope_t)
 {
+    double v1;
+    double v1_t;
+    double v2;
+    double v3;
+    double v3_t;
     double w_t;
     double w;
-    double v1;
-    double v2;
+    double v4;
+    double v5;
     double root_t;
     double root;
     double t_t;
     double t;
     double cos_t_t;
     double cos_t;
-    double v3;
-    double v4;
-    w_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
-    w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
-    if (w > 1.0)
+    double v6;
+    double v7;
+    v1 = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
+    v1_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
+    if (1.0 < v1)
     {
-        w_t = 0.0;
-        w = 1.0;
+        v1 = 1.0;
+        v1_t = 0.0;
     }
-    if (w < -1.0)
+    v2 = -1.0;
+    v3 = v1;
+    v3_t = v1_t;
+    if (v2 > v3)
     {
-        w_t = 0.0;
-        w = -1.0;
+        v3 = v2;
+        v3_t = 0.0;
     }
-    v1 = 1.0 - w * w;
-    v2 = sqrt(v1);
-    root_t = derivative_rates__root_rate(v2, -(w_t * w + w * w_t));
-    root = v2;
+    w_t = v3_t;
+    w = v3;
+    v4 = 1.0 - w * w;
+    v5 = sqrt(v4);
+    root_t = derivative_rates__root_rate(v5, -(w_t * w + w * w_t));
+    root = v5;
     t_t = (*cspan_at(&work_t, place + layout__PLACE_T));
     t = (*cspan_at(&work, place + layout__PLACE_T));
     cos_t_t = (*cspan_at(&work_t, place + layout__PLACE_COS_T));
     cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
-    v3 = -(t * root + w);
-    v4 = root - t * w;
-    (*result_0) = v3 * cos_t;
-    (*result_1) = (-(t_t * root + t * root_t + w_t)) * cos_t + v3 * cos_t_t;
-    (*result_2) = v4 * cos_t;
-    (*result_3) = (root_t - (t_t * w + t * w_t)) * cos_t + v4 * cos_t_t;
+    v6 = -(t * root + w);
+    v7 = root - t * w;
+    (*result_0) = v6 * cos_t;
+    (*result_1) = (-(t_t * root + t * root_t + w_t)) * cos_t + v6 * cos_t_t;
+    (*result_2) = v7 * cos_t;
+    (*result_3) = (root_t - (t_t * w + t * w_t)) * cos_t + v7 * cos_t_t;
     return 0;
 }
 
@@ -863,16 +877,26 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, double* res
 /* Derivative of ``table_cell``. */
 static inline int64_t derivative_tables__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t)
 {
-    if (!(u > 0.0))
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    v1 = 0.0;
+    v1_t = 0.0;
+    if (u > v1)
     {
-        u_t = 0.0;
-        u = 0.0;
+        v1 = u;
+        v1_t = u_t;
     }
-    if (u > last)
+    v2 = v1;
+    v2_t = v1_t;
+    if (last < v2)
     {
-        u_t = last_t;
-        u = last;
+        v2 = last;
+        v2_t = last_t;
     }
+    u_t = v2_t;
+    u = v2;
     (*cell) = (int64_t)(u);
     if ((*cell) > (int64_t)(last) - INT64_C(1))
     {

@@ -8,7 +8,7 @@
  */
 
 /* Derivative of ``load_at_height``. */
-static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double height, double height_t)
+static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double height, double height_t)
 {
     double approach_t;
     double approach;
@@ -20,18 +20,18 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(approach > compliant__GRAZING))
     {
-        n1 = derivative_side__touch_side_t(tables, work, work_t, state, index);
+        n1 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n1;
     }
     if (approach > trial__DEEPEST)
     {
         return layout__OFF_PROFILE;
     }
-    n2 = derivative_side__press_side_t(tables, work, work_t, state, index, approach, approach_t);
+    n2 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n2;
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, state, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
     if ((status == layout__VALID) && compliant__is_damped(tables))
     {
@@ -48,6 +48,8 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
     int64_t patch;
     double v1;
     double v1_t;
+    double v2;
+    double v2_t;
     double factor_t;
     double factor;
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
@@ -55,13 +57,15 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        factor_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
-        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
-        if (factor < 0.0)
+        v2 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
+        v2_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
+        if (0.0 > v2)
         {
-            factor_t = 0.0;
-            factor = 0.0;
+            v2 = 0.0;
+            v2_t = 0.0;
         }
+        factor_t = v2_t;
+        factor = v2;
         derivative_compliant__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
     derivative_filling__total_patches_t(work, work_t, side);
@@ -753,7 +757,7 @@ static inline int64_t derivative_requested__carried_share_t(double* share, doubl
  */
 
 /* Derivative of ``solve_rigid``. */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t)
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
     double v2;
     double v2_t;
@@ -773,18 +777,15 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_table
     if (requested__is_requested(right_tables, INT64_C(0)))
     {
         derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(0));
-        n1 = derivative_side__solve_side_t(left_tables, work, work_t, state, INT64_C(0), v2, v2_t);
+        n1 = derivative_side__solve_side_t(left_tables, work, work_t, INT64_C(0), v2, v2_t);
         status = n1;
     }
     if (requested__is_requested(right_tables, INT64_C(1)))
     {
         derivative_requested__side_force_t(&v4, &v4_t, work, work_t, INT64_C(1));
-        n3 = derivative_side__solve_side_t(right_tables, work, work_t, state, INT64_C(1), v4, v4_t);
+        n3 = derivative_side__solve_side_t(right_tables, work, work_t, INT64_C(1), v4, v4_t);
         outcome = n3;
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }
@@ -809,7 +810,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d le
 }
 
 /* Derivative of ``move_patches``. */
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t index;
     int64_t side;
@@ -823,8 +824,8 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_ta
     derivative_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
-        derivative_rubbing__constrain_side_t(left_tables, work, work_t, state, INT64_C(0));
-        derivative_rubbing__constrain_side_t(right_tables, work, work_t, state, INT64_C(1));
+        derivative_rubbing__constrain_side_t(left_tables, work, work_t, INT64_C(0));
+        derivative_rubbing__constrain_side_t(right_tables, work, work_t, INT64_C(1));
         derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -845,7 +846,7 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_ta
 }
 
 /* Derivative of ``constrain_side``. */
-static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
+static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -858,7 +859,7 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
     {
         if (!requested__is_requested(tables, index))
         {
-            derivative_side__touch_side_t(tables, work, work_t, state, index);
+            derivative_side__touch_side_t(tables, work, work_t, index);
         }
         derivative_motion__constrain_touching_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
     }
@@ -1166,7 +1167,7 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
  */
 
 /* Derivative of ``describe_contact``. */
-static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
 {
     int64_t place;
     int64_t point;
@@ -1253,7 +1254,7 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     }
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    derivative_frame__measure_contact_t(work, work_t, tables, state);
+    derivative_frame__measure_contact_t(work, work_t, tables);
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
@@ -1290,7 +1291,7 @@ static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_
 }
 
 /* Derivative of ``load_side``. */
-static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t side;
     double penetration;
@@ -1299,7 +1300,7 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
     int64_t number_end;
     int64_t number;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
+    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = penetration_t;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
     if ((!satisfied) && ((*count) == INT64_C(0)))
@@ -1334,7 +1335,7 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
 }
 
 /* Derivative of ``touch_side``. */
-static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
+static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
     int64_t side;
     bool n1;
@@ -1342,7 +1343,7 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_side__clear_side_t(work, work_t, side);
     status = layout__UNLOADED;
-    n1 = derivative_side__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
+    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
     if (!n1)
     {
         status = layout__OFF_PROFILE;
@@ -1351,7 +1352,7 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``solve_side``. */
-static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t)
+static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t)
 {
     int64_t n1;
     double penetration;
@@ -1359,7 +1360,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
     double pressed;
     int64_t count;
     int64_t status;
-    n1 = derivative_side__touch_side_t(tables, work, work_t, state, index);
+    n1 = derivative_side__touch_side_t(tables, work, work_t, index);
     status = n1;
     if (status == layout__UNLOADED)
     {
@@ -1376,7 +1377,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
             status = layout__VALID;
             if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
             {
-                derivative_side__load_side_t(&count, &status, tables, work, work_t, state, index, force, force_t, penetration, 0.0);
+                derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, 0.0);
             }
         }
     }
@@ -1384,7 +1385,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``press_side``. */
-static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t)
+static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double approach, double approach_t)
 {
     int64_t side;
     double height_t;
@@ -1399,20 +1400,20 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
     height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + approach_t;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     derivative_side__clear_side_t(work, work_t, side);
-    n1 = derivative_side__find_points_t(work, work_t, tables, state, side, index, height, height_t);
+    n1 = derivative_side__find_points_t(work, work_t, tables, side, index, height, height_t);
     if (n1 == INT64_C(0))
     {
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
-    derivative_side__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
     return layout__VALID;
 }
 
 /* Derivative of ``find_points``. */
-static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height, double height_t)
+static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, double height_t)
 {
     int64_t kept;
     int64_t n1;
@@ -1427,7 +1428,7 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
     }
     if (count == INT64_C(0))
     {
-        n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
+        n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, height, height_t);
         count = n2;
     }
     derivative_deep_points__keep_points_t(work, work_t, kept);
@@ -1490,23 +1491,33 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
 /* Derivative of ``permitted_approach``. */
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, double* approach_t, array_double_1d work, array_double_1d work_t, int64_t support, int64_t side, double height, double height_t)
 {
-    (*approach_t) = height_t - (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
-    (*approach) = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if ((*approach) < trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH)))
+    double v1;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    v1 = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
+    v2 = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
+    v2_t = height_t - (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
+    if (v1 > v2)
     {
-        (*approach_t) = trial__SHALLOWEST * (*cspan_at(&work_t, support + layout__SUPPORT_APPROACH));
-        (*approach) = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
+        v2 = v1;
+        v2_t = trial__SHALLOWEST * (*cspan_at(&work_t, support + layout__SUPPORT_APPROACH));
     }
-    if ((*approach) > trial__DEEPEST)
+    v3 = v2;
+    v3_t = v2_t;
+    if (trial__DEEPEST < v3)
     {
-        (*approach_t) = 0.0;
-        (*approach) = trial__DEEPEST;
+        v3 = trial__DEEPEST;
+        v3_t = 0.0;
     }
+    (*approach_t) = v3_t;
+    (*approach) = v3;
     return 0;
 }
 
 /* Derivative of ``balance_side``. */
-static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double height, double height_t)
+static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double height, double height_t)
 {
     int64_t support;
     int64_t side;
@@ -1535,17 +1546,17 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
         derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, INT64_C(0));
         (*cspan_at(&work_t, support + layout__SUPPORT_LEVER)) = v1_t;
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v1;
-        n2 = derivative_side__touch_side_t(tables, work, work_t, state, index);
+        n2 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n2;
     }
     derivative_trial__permitted_approach_t(&v3, &v3_t, work, work_t, support, side, height, height_t);
     approach_t = v3_t;
     approach = v3;
-    n4 = derivative_side__press_side_t(tables, work, work_t, state, index, approach, approach_t);
+    n4 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n4;
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, state, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
         v5 = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         carried_t = approach_t + ((*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));

@@ -11,32 +11,32 @@ static inline int64_t derivative_analyn__region_influence_t(double* result, doub
 static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t);
 static inline int64_t derivative_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
 static inline int64_t derivative_analyn__load_regions_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed);
+static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed);
 
 /* derivative_analyn_contact.py */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double penetration, double penetration_t);
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double estimate, double estimate_t, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t);
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double estimate, double estimate_t, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* derivative_coefficients.py */
 static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
 static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
 static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
-static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
+static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
 static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
 static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
-static inline int64_t derivative_coefficients__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
+static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
 static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
-static inline int64_t derivative_coefficients__skew_factors_t(double* v2, double* result_1, double* v3, double* result_3, double* v4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
+static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t);
 static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* derivative_compliant.py */
 static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t);
 static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side);
-static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double height, double height_t);
+static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double height, double height_t);
 
 /* derivative_correction.py */
 static inline int64_t derivative_correction__scale_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double share, double share_t);
@@ -60,7 +60,7 @@ static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, dou
 static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index);
 static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_coupled_strips__solve_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_creep_force.py */
 static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch);
@@ -96,7 +96,7 @@ static inline bool derivative_curves__across_rule_t(array_double_1d work, array_
 
 /* derivative_cut.py */
 static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__lay_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t);
+static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t);
 static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t at, double low, double low_t, double low_square, double low_square_t, double low_load, double low_load_t, double high, double high_t, double high_square, double high_square_t, double high_load, double high_load_t);
 static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
@@ -114,8 +114,8 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
 
 /* derivative_estimate.py */
 static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t);
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t);
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 
 /* derivative_fastrip.py */
@@ -129,7 +129,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
 /* derivative_fastsim.py */
 static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, double* result_1, double* v9, double* result_3, double* v15, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_fastsim__strip_push_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double along, double along_t, double turning, double turning_t);
-static inline int64_t derivative_fastsim__march_strip_t(double* v11, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t);
+static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t);
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_filling.py */
@@ -156,14 +156,14 @@ static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, ar
 
 /* derivative_frame.py */
 static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
 static inline int64_t derivative_frame__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
 static inline int64_t derivative_frame__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
 static inline int64_t derivative_frame__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot);
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region);
 static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
 static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region);
 
 /* derivative_friction.py */
@@ -231,26 +231,26 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
 /* derivative_nodes.py */
 static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t);
 static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t direction, double station, double station_t);
 static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_double_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double spacing_t, double start_rate, double start_rate_t, double stop_rate, double stop_rate_t);
 static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t);
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t);
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t);
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t);
 static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
 static inline int64_t derivative_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t);
 static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t);
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t);
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double enlarge, double enlarge_t);
 
 /* derivative_normal_contact.py */
 static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* derivative_outline.py */
 static inline int64_t derivative_outline__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t);
-static inline int64_t derivative_outline__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t);
+static inline int64_t derivative_outline__curved_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t);
 static inline int64_t derivative_outline__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t);
 static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count);
@@ -259,7 +259,7 @@ static inline int64_t derivative_outline__write_outline_t(array_double_1d work, 
 
 /* derivative_overlaps.py */
 static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t);
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double height, double height_t);
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double height, double height_t);
 
 /* derivative_patch_places.py */
 static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
@@ -284,18 +284,18 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
 static inline int64_t derivative_pressed__meet_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* z, double* z_t, double* slope, double* slope_t, double* bend, double* bend_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
 static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double y, double y_t, double bend, double bend_t);
 static inline int64_t derivative_pressed__normal_line_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* curvature, double* curvature_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t);
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
 static inline int64_t derivative_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t);
 static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t);
 
 /* derivative_pressed_regions.py */
 static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point);
 static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t);
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double penetration, double penetration_t);
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double penetration, double penetration_t);
 static inline int64_t derivative_pressed_regions__sink_deeper_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
 static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
 
 /* derivative_quadrature.py */
 static inline int64_t derivative_quadrature__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t);
@@ -336,7 +336,7 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, doubl
 static inline int64_t derivative_requested__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index);
 
 /* derivative_rigid.py */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t);
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
 
 /* derivative_roll.py */
 static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_double_1d work_t, int64_t place);
@@ -346,8 +346,8 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
 
 /* derivative_rubbing.py */
 static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
+static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_rubbing__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip);
 static inline int64_t derivative_rubbing__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
@@ -361,23 +361,23 @@ static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d left_tab
 static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
 static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
 static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, int64_t kind);
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, int64_t kind);
+static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
 
 /* derivative_side.py */
-static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
+static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
 static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_double_1d work_t, int64_t side);
-static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
-static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t);
-static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height, double height_t);
-static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t);
+static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
+static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t);
+static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, double height_t);
+static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double approach, double approach_t);
 static inline int64_t derivative_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count);
 
 /* derivative_stiffness.py */
 static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double u, double u_t);
-static inline int64_t derivative_stiffness__reaches_t(double* v4, double* v4_t, double* v5, double* v5_t, double* v6, double* v6_t, array_double_1d tables, int64_t table, double distance, double distance_t);
+static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t);
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t j, double near, double near_t, double far, double far_t);
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
 static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations);
@@ -388,15 +388,15 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t);
 
 /* derivative_strip_contact.py */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state);
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t);
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t zone, double deepest, double deepest_t);
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double deepest, double deepest_t);
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, int64_t wanted);
+static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
 
 /* derivative_strip_layout.py */
 static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count);
@@ -445,7 +445,7 @@ static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double*
 static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
 static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
 static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v6, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
+static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
 static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed);
 static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed);
@@ -456,11 +456,11 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
 static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t);
 static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1d work, array_double_1d work_t, int64_t size, double penetration, double penetration_t);
 static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double_1d work, array_double_1d work_t, double penetration, double penetration_t, bool single);
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t, bool by_penetration, bool yawed);
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed);
 
 /* derivative_strip_surfaces.py */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count);
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t strip);
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count);
 static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
 static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t);
@@ -499,7 +499,7 @@ static inline int64_t derivative_tractions__point_weight_t(double* result_0, dou
 
 /* derivative_trial.py */
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, double* approach_t, array_double_1d work, array_double_1d work_t, int64_t support, int64_t side, double height, double height_t);
-static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double height, double height_t);
+static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double height, double height_t);
 
 /* derivative_wheelset_rules.py */
 static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t);
@@ -508,20 +508,20 @@ static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1
 static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
 static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t);
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_double_1d work_t);
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
 
 /* derivative_widths.py */
 static inline int64_t derivative_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t);
 static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t);
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
 static inline int64_t derivative_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t);
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double local_penetration, double local_penetration_t);
 
 #endif

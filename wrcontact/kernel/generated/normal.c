@@ -11,21 +11,21 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count);
 static inline int64_t analyn__penetration_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration);
 static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high);
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool prescribed);
+static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed);
 
 /* normal/analyn_contact.py */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration);
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool by_penetration);
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration);
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration);
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration);
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 
 /* normal/coefficients.py */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
-static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
+static inline double coefficients__hertz_stiffness(double one_beta, double nr, double B, double contact_modulus);
 static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
 static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share);
@@ -35,8 +35,8 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
 
 /* normal/estimate.py */
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force);
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
 /* normal/node_patches.py */
@@ -54,23 +54,23 @@ static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
 static inline double nodes__turn_cosine(array_double_1d work, array_double_1d tables);
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach);
+static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
+static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline double nodes__zone_share(array_double_1d tables, double A, double side);
 static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge);
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
 /* normal/patch_places.py */
@@ -83,15 +83,15 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
 static inline int64_t patch_places__place_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* normal/strip_contact.py */
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest);
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted);
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration);
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state);
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force);
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest);
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted);
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration);
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables);
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force);
 
 /* normal/strip_layout.py */
 static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count);
@@ -154,11 +154,11 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, int
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
 static inline int64_t strip_pressures__read_solution(array_double_1d work, int64_t size, double penetration);
 static inline int64_t strip_pressures__exchange_strips(array_double_1d work, double penetration, bool single);
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration, bool yawed);
+static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
 
 /* normal/strip_surfaces.py */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip);
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count);
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip);
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count);
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count);
 static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables);
 static inline double strip_surfaces__profile_within(array_double_1d tables, double y);
@@ -236,11 +236,7 @@ static inline double analyn__planes_cosine(array_double_1d work, int64_t one, in
     cosine = 1.0;
     if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
-        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if (cosine < 0.0)
-        {
-            cosine = 0.0;
-        }
+        cosine = double_max(2, (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)), 0.0);
     }
     return cosine;
 }
@@ -254,14 +250,7 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t region,
     {
         reach = ((*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW))) / (*cspan_at(&work, region + layout__REGION_SPACING)) + (double)(k);
     }
-    if (reach < stop)
-    {
-        stop = reach;
-    }
-    if (stop < 0.0)
-    {
-        stop = 0.0;
-    }
+    stop = double_max(2, double_min(2, stop, reach), 0.0);
     return stop;
 }
 
@@ -363,7 +352,7 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
  * Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool prescribed)
+static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed)
 {
     int64_t i;
     int64_t region;
@@ -391,10 +380,10 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
     move = 0.0;
     for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(work, count);
         analyn__penetration_residuals(&residual, &slope, &rest, work, tables, count, penetration);
-        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
+        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__LOAD_ROUNDING * force))
         {
             /* the change of the load that the slopes of both ends predict for the last move, against the real */
             /* one */
@@ -511,10 +500,7 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
         (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
         (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
         (*cspan_at(&work, region + layout__REGION_MOVE)) = residual;
-        if (fabs(residual) > (*largest))
-        {
-            (*largest) = fabs(residual);
-        }
+        (*largest) = double_max(2, (*largest), fabs(residual));
     }
     sweeps = INT64_C(12);
     if (count == INT64_C(1))
@@ -583,9 +569,9 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 /* Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
  */
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
-    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, side, force, prescribed);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
         frame__locate_along_track(work, tables, (*count));
@@ -598,7 +584,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
  * is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
  * stands.
  */
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t repeat;
@@ -611,26 +597,26 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        (*penetration) = estimate__first_penetration(work, tables, state, force);
+        (*penetration) = estimate__first_penetration(work, tables, force);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        if (pressed_regions__sink_wheel(work, tables, side, state, estimate) == INT64_C(0))
+        if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
         {
             /* it overlaps most at the end of a profile */
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, estimate, force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, estimate, force, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -642,16 +628,16 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double estimate, double force, bool by_penetration)
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
-    analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
+    (*count) = analyn_contact__gather_regions(work, tables, estimate);
+    analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        (*count) = analyn_contact__gather_regions(work, tables, state, estimate);
-        analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
+        (*count) = analyn_contact__gather_regions(work, tables, estimate);
+        analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
     }
     return 0;
 }
@@ -659,7 +645,7 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
  * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration)
 {
     int64_t i;
     int64_t count;
@@ -668,7 +654,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    count = pressed_regions__gather_overlaps(work, tables, state);
+    count = pressed_regions__gather_overlaps(work, tables);
     estimate__start_penetrations(work, count, penetration);
     return count;
 }
@@ -676,7 +662,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, bool by_penetration)
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration)
 {
     double start;
     double enlarge;
@@ -687,8 +673,8 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        nodes__prepare_regions(work, tables, state, count, enlarge);
-        analyn__solve_penetrations(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
+        nodes__prepare_regions(work, tables, count, enlarge);
+        analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
@@ -777,7 +763,7 @@ static inline int64_t coefficients__hertz_coefficients(double* result_0, double*
  * pressure.  Exact for constant curvatures.
  *
  * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
- * a patch's edge: A slant^2 counts as STEEPEST B at most.
+ * a patch's edge: A slant^2 counts as STEEPEST_SLANT B at most.
  */
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
 {
@@ -793,9 +779,9 @@ static inline int64_t coefficients__skewed_coefficients(double* result_0, double
     double cosine;
     double length;
     double width;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        slant = sqrt(coefficients__STEEPEST * B / A);
+        slant = sqrt(coefficients__STEEPEST_SLANT * B / A);
     }
     cross = A * slant;
     diagonal = B + cross * slant;
@@ -836,9 +822,9 @@ static inline double coefficients__middle_slant(array_double_1d tables, int64_t 
     double nr;
     double cosine;
     double length;
-    if (A * slant * slant > coefficients__STEEPEST * B)
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
-        slant = sqrt(coefficients__STEEPEST * B / A) * slant / fabs(slant);
+        slant = sqrt(coefficients__STEEPEST_SLANT * B / A) * slant / fabs(slant);
     }
     cross = A * slant;
     diagonal = B + cross * slant;
@@ -858,17 +844,13 @@ static inline double coefficients__middle_slant(array_double_1d tables, int64_t 
     return cross * (across - along) / ((large - small) * length);
 }
 
-/* N / penetration^(3/2) [N/m^1.5].
+/* N / penetration^(3/2) [N/m^1.5], from 1 + beta and n r.
  *
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
  * closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
  */
-static inline double coefficients__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus)
+static inline double coefficients__hertz_stiffness(double one_beta, double nr, double B, double contact_modulus)
 {
-    double one_alpha;
-    double one_beta;
-    double nr;
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B));
 }
 
@@ -910,10 +892,7 @@ static inline double coefficients__secant_curvature(array_double_1d work, int64_
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share)
 {
     double grown;
-    if (averaged < coefficients__WINDOW_FLOOR * secant)
-    {
-        averaged = coefficients__WINDOW_FLOOR * secant;
-    }
+    averaged = double_max(2, averaged, coefficients__WINDOW_FLOOR * secant);
     grown = secant;
     if (averaged > secant)
     {
@@ -930,30 +909,15 @@ static inline int64_t coefficients__adaptive_curvatures(double* secant, double* 
     double spacing;
     double share;
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*secant) = coefficients__secant_curvature(work, gaps, k, spacing, window, middle);
-    if ((*secant) < least)
-    {
-        (*secant) = least;
-    }
-    share = fabs((double)(k)) * spacing / mean;
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    (*B) = coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share);
-    if ((*B) < least)
-    {
-        (*B) = least;
-    }
+    (*secant) = double_max(2, coefficients__secant_curvature(work, gaps, k, spacing, window, middle), least);
+    share = double_min(2, fabs((double)(k)) * spacing / mean, 1.0);
+    (*B) = double_max(2, coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share), least);
     (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
         (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
     }
-    if ((*side) < least)
-    {
-        (*side) = least;
-    }
+    (*side) = double_max(2, (*side), least);
     return 0;
 }
 
@@ -990,11 +954,7 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
     }
     mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    middle = coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window);
-    if (middle < 0.0)
-    {
-        middle = 0.0;
-    }
+    middle = double_max(2, coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window), 0.0);
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
@@ -1002,11 +962,7 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         least = coefficients__FLOOR * A;
         if (prepared)
         {
-            B = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            if (B < least)
-            {
-                B = least;
-            }
+            B = double_max(2, (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)), least);
             secant = B;
             side = B;
         }
@@ -1045,11 +1001,7 @@ static inline int64_t coefficients__skew_factors(double* result_0, double* resul
     double skewed_beta;
     double skewed_nr;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (B < coefficients__FLOOR * A)
-    {
-        B = coefficients__FLOOR * A;
-    }
+    B = double_max(2, 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH))), coefficients__FLOOR * A);
     coefficients__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
     coefficients__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
     (*result_0) = skewed_alpha / alpha;
@@ -1078,16 +1030,19 @@ static inline double estimate__guess_penetration(double force, double A, double 
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force)
 {
     double A;
     double guess;
     double width;
     double B;
+    double one_alpha;
+    double one_beta;
+    double nr;
     double stiffness;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    widths__measure_widths(work, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
+    widths__measure_widths(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
     width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
@@ -1098,17 +1053,18 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     {
         B = guess / (width * width);
     }
-    stiffness = coefficients__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     return pow((force / stiffness), (2.0 / 3.0));
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force)
 {
     double result;
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    result = estimate__estimate_penetration(work, tables, state, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    result = estimate__estimate_penetration(work, tables, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
@@ -1123,11 +1079,7 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
-        if (local < estimate__LEAST_SHARE * penetration)
-        {
-            local = estimate__LEAST_SHARE * penetration;
-        }
+        local = double_max(2, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), estimate__LEAST_SHARE * penetration);
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
@@ -1462,11 +1414,7 @@ static inline int64_t nodes__node_stride(array_double_1d tables)
 static inline double nodes__trace_tolerance(double spacing)
 {
     double tolerance;
-    tolerance = nodes__TRACE_SHARE * spacing;
-    if (tolerance > nodes__COARSEST_TRACE)
-    {
-        tolerance = nodes__COARSEST_TRACE;
-    }
+    tolerance = double_min(2, nodes__TRACE_SHARE * spacing, nodes__COARSEST_TRACE);
     return tolerance;
 }
 
@@ -1477,7 +1425,7 @@ static inline double nodes__trace_tolerance(double spacing)
  * Where the lateral curvature is a prepared one, it is kept in nodes.B for
  * :func:`node_coefficients.weigh_nodes`.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach)
+static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
     double gap;
     double rate;
@@ -1487,7 +1435,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     int64_t after;
     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     curves__open_origin(work, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(work, tables);
@@ -1495,9 +1443,9 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     {
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
-    before = nodes__lay_side_nodes(work, tables, state, region, nodes, -INT64_C(1), low_reach, rate);
+    before = nodes__lay_side_nodes(work, tables, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    after = nodes__lay_side_nodes(work, tables, state, region, nodes, INT64_C(1), high_reach, rate);
+    after = nodes__lay_side_nodes(work, tables, region, nodes, INT64_C(1), high_reach, rate);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
@@ -1539,13 +1487,13 @@ static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, 
 /* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
  * [-].
  */
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
 {
     double station;
     double bend;
     double curvature;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
-    separation__separation(gap, rate, &bend, &curvature, work, tables, state, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(gap, rate, &bend, &curvature, work, tables, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
@@ -1565,7 +1513,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
  * slope there.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
+static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
     int64_t stride;
     int64_t window;
@@ -1593,13 +1541,13 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1
     {
         if ((k == traced) && (!ended))
         {
-            nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
+            nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
                 traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
+                nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -1696,11 +1644,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
     {
         x = (double)(i) / (double)(count);
         rest = 1.0 - x;
-        gap = low + x * (rise + rest * (rest * forward - x * backward));
-        if (gap < 0.0)
-        {
-            gap = 0.0;
-        }
+        gap = double_max(2, low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
@@ -1755,10 +1699,7 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
 static inline double nodes__zone_share(array_double_1d tables, double A, double side)
 {
     double share;
-    if (side < coefficients__FLOOR * A)
-    {
-        side = coefficients__FLOOR * A;
-    }
+    side = double_max(2, side, coefficients__FLOOR * A);
     share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
     if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
@@ -1777,26 +1718,19 @@ static inline double nodes__node_spacing(array_double_1d work, array_double_1d t
     double least;
     double spacing;
     mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    widest = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > widest)
-    {
-        widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    }
+    widest = double_max(2, (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)), (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
     least = nodes__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    if (mean < least)
-    {
-        mean = least;
-    }
+    mean = double_max(2, mean, least);
     spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    if (widest * enlarge > nodes__WIDEST * spacing)
+    if (widest * enlarge > nodes__NODE_ROOM * spacing)
     {
-        spacing = widest * enlarge / nodes__WIDEST;
+        spacing = widest * enlarge / nodes__NODE_ROOM;
     }
     return spacing;
 }
 
 /* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge)
+static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge)
 {
     int64_t i;
     int64_t region;
@@ -1804,9 +1738,9 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         frame__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(work, tables, state, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        widths__measure_widths(work, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = nodes__node_spacing(work, tables, region, enlarge);
-        nodes__prepare_nodes(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
+        nodes__prepare_nodes(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
         frame__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
@@ -1815,7 +1749,7 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
 /* Nodes and coefficients of a region whose frame is open, up to its local
  * penetration times ``enlarge``.
  */
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
+static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge)
 {
     bool yawed;
     double reach;
@@ -1831,7 +1765,7 @@ static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
+    nodes__lay_nodes(work, tables, region, nodes, low_reach, high_reach);
     nodes__bring_nearer(work, region, nodes);
     coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -1904,11 +1838,11 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     int64_t table;
     double A;
     double B;
-    double stiffness;
-    double load;
     double one_alpha;
     double one_beta;
     double nr;
+    double stiffness;
+    double load;
     double half_length;
     double half_width;
     int64_t patch;
@@ -1917,12 +1851,9 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     point = side + layout__SIDE_SEARCH_POINT;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    if (!(B > coefficients__FLOOR * A))
-    {
-        B = coefficients__FLOOR * A;
-    }
-    stiffness = coefficients__hertz_stiffness(tables, table, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
@@ -1934,7 +1865,6 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     half_length = sqrt((*penetration) / (one_alpha * A));
     half_width = sqrt((*penetration) / (one_beta * B));
     filling__clear_patches(work, side);
@@ -1957,7 +1887,7 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
  *
  * Returns the penetration [m], the number of regions, and whether the force is satisfied.
  */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -1967,15 +1897,15 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, state, force);
+        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, force);
     }
     else
     {
-        strip_contact__strip_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
+        strip_contact__strip_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
     }
     return 0;
 }
@@ -2082,10 +2012,7 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-                if (local > (*cspan_at(&work, patch + layout__PATCH_PENETRATION)))
-                {
-                    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = local;
-                }
+                (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PENETRATION)), local);
                 patch_places__place_load(work, tables, region, patch, number);
             }
         }
@@ -2261,7 +2188,7 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
  */
 
 /* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double deepest)
+static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest)
 {
     int64_t index;
     int64_t region;
@@ -2269,14 +2196,14 @@ static inline int64_t strip_contact__find_zones(array_double_1d work, array_doub
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         frame__enter_plane(work, region, index);
-        strip_contact__measure_zone(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
+        strip_contact__measure_zone(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
         frame__leave_plane(work, region);
     }
     return INT64_C(0);
 }
 
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t zone, double deepest)
+static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest)
 {
     double depth;
     double shallow;
@@ -2288,25 +2215,17 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow = strip_contact__SHALLOW * deepest;
-    if (shallow > strip_contact__OWN_SHALLOW * depth)
-    {
-        shallow = strip_contact__OWN_SHALLOW * depth;
-    }
+    shallow = double_min(2, strip_contact__SHALLOW * deepest, strip_contact__OWN_SHALLOW * depth);
     level = depth - shallow;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {
         (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend = (*cspan_at(&work, region + layout__REGION_BEND));
-        if (bend < (*cspan_at(&work, region + layout__REGION_CURVATURE)))
-        {
-            bend = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        }
+        bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
         estimate = sqrt(2.0 * level / bend);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        high = widths__zone_width(work, tables, region, state, 1.0, level, estimate);
-        low = widths__zone_width(work, tables, region, state, -1.0, level, high);
+        high = widths__zone_width(work, tables, region, 1.0, level, estimate);
+        low = widths__zone_width(work, tables, region, -1.0, level, high);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
     }
@@ -2314,10 +2233,10 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
 }
 
 /* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, int64_t wanted)
+static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted)
 {
     strip_layout__divide_cells(work, count, wanted);
-    strip_surfaces__trace_strips(work, tables, state, count);
+    strip_surfaces__trace_strips(work, tables, count);
     strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     strip_surfaces__incline_strips(work, tables);
     return INT64_C(0);
@@ -2326,19 +2245,19 @@ static inline int64_t strip_contact__lay_strips(array_double_1d work, array_doub
 /* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
  * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
  */
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
     int64_t sweep;
     strip_layout__zone_cells(work, count);
-    strip_contact__lay_strips(work, tables, state, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    strip_contact__lay_strips(work, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
     strip_surfaces__first_lengths(work, tables, count);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
     {
-        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, by_penetration);
+        strip_contact__solve_strips(&penetration, &found, work, tables, force, by_penetration);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2360,7 +2279,7 @@ static inline int64_t strip_contact__first_layout(double* result_0, bool* result
  * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
  * alone.
  */
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
@@ -2368,7 +2287,7 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
     int64_t sweep;
     bool last;
     bool given;
-    strip_contact__lay_strips(work, tables, state, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    strip_contact__lay_strips(work, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     strip_surfaces__lengths_before(work, tables);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
@@ -2381,7 +2300,7 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
         {
             given = by_penetration;
         }
-        strip_contact__solve_strips(&penetration, &found, work, tables, state, force, given);
+        strip_contact__solve_strips(&penetration, &found, work, tables, force, given);
         if (!found)
         {
             (*result_0) = penetration;
@@ -2403,11 +2322,11 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
 }
 
 /* Pressures of the strips as they lie; penetration [m], and whether found. */
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration)
+static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration)
 {
     strip_surfaces__set_gaps(work);
     strip_pressures__begin_influences(work);
-    strip_pressures__solve_pressures(result_0, result_1, work, tables, state, force, by_penetration, frame__is_yawed(work));
+    strip_pressures__solve_pressures(result_0, result_1, work, tables, force, by_penetration, frame__is_yawed(work));
     return 0;
 }
 
@@ -2417,7 +2336,7 @@ static inline int64_t strip_contact__solve_strips(double* result_0, bool* result
  * A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
  * have found there.
  */
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t count;
@@ -2429,15 +2348,15 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         /* where it is, it has its penetration */
-        count = strip_contact__open_zones(work, tables, state);
-        strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, 1);
+        count = strip_contact__open_zones(work, tables);
+        strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, 1);
     }
     else
     {
         estimate = prescribed;
         if (!by_penetration)
         {
-            estimate = estimate__first_penetration(work, tables, state, force);
+            estimate = estimate__first_penetration(work, tables, force);
         }
         penetration = estimate;
         count = INT64_C(0);
@@ -2445,7 +2364,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
             estimate = penetration;
-            if (pressed_regions__sink_wheel(work, tables, side, state, estimate) == INT64_C(0))
+            if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
             {
                 /* it overlaps most at the end of a profile */
                 (*result_0_0001) = estimate;
@@ -2453,9 +2372,9 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 (*result_2) = 0;
                 return 0;
             }
-            count = strip_contact__open_zones(work, tables, state);
-            strip_contact__first_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
-            if ((!satisfied) || (penetration < strip_contact__DEEPER * estimate))
+            count = strip_contact__open_zones(work, tables);
+            strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
+            if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
             {
                 break;
             }
@@ -2468,7 +2387,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied)
     {
-        strip_contact__second_layout(&penetration, &satisfied, work, tables, state, count, force, by_penetration);
+        strip_contact__second_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
     }
     if (satisfied)
     {
@@ -2488,10 +2407,10 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first layout alone
  * and without patches: about a per cent off.
  */
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, double force)
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force)
 {
-    (*count) = strip_contact__open_zones(work, tables, state);
-    strip_contact__first_layout(penetration, satisfied, work, tables, state, (*count), force, 0);
+    (*count) = strip_contact__open_zones(work, tables);
+    strip_contact__first_layout(penetration, satisfied, work, tables, (*count), force, 0);
     if ((*satisfied))
     {
         strip_patches__add_stiffness(work, tables, (*count));
@@ -2500,14 +2419,14 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 }
 
 /* Open the regions where the wheel overlaps its rail, and their zones; how many. */
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables, array_double_1d state)
+static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables)
 {
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    count = pressed_regions__gather_overlaps(work, tables, state);
+    count = pressed_regions__gather_overlaps(work, tables);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_contact__find_zones(work, tables, state, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_contact__find_zones(work, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -2590,10 +2509,7 @@ static inline int64_t strip_layout__strip_cells(array_double_1d work)
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > largest)
-        {
-            largest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-        }
+        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
     }
     width = 0.0;
     change = 0.0;
@@ -2633,23 +2549,13 @@ static inline double strip_layout__loaded_share(array_double_1d work, int64_t co
     pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
     if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
-        {
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
+        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
     }
     if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > pressure)
-        {
-            pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
+        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)));
     }
-    share = pressure / (strip_layout__LOADED * largest);
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
+    share = double_min(2, pressure / (strip_layout__LOADED * largest), 1.0);
     return share;
 }
 
@@ -2708,15 +2614,7 @@ static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t r
         strip_layout__run_of_cells(&last, &weight, work, first);
         if (weight > 0.0)
         {
-            number = (int64_t)(weight / each + 0.5);
-            if (number < strip_layout__FEWEST)
-            {
-                number = strip_layout__FEWEST;
-            }
-            if (number > layout__STRIP_LIMIT - made)
-            {
-                number = layout__STRIP_LIMIT - made;
-            }
+            number = int64_t_min(2, int64_t_max(2, (int64_t)(weight / each + 0.5), strip_layout__FEWEST), layout__STRIP_LIMIT - made);
             strip_layout__cut_run(work, first, made, number, weight);
             made += number;
         }
@@ -2853,15 +2751,7 @@ static inline int64_t strip_layout__length_before(array_double_1d work)
         reach = strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
         if (reach > 0.0)
         {
-            share = ((*cspan_at(&work, strip + layout__STRIP_STATION)) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index)) / reach;
-            if (share < 0.0)
-            {
-                share = 0.0;
-            }
-            if (share > 1.0)
-            {
-                share = 1.0;
-            }
+            share = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__STRIP_STATION)) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index)) / reach, 0.0), 1.0);
         }
         rest = 1.0 - share;
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
@@ -2938,26 +2828,11 @@ static inline double strip_lengths__correct_strip(array_double_1d tables, array_
         back = strip_pressures__end_displacement(tables, work, table, i, -away);
         back_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
         move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
-        if (move > strip_lengths__FARTHEST_MOVE * half)
-        {
-            move = strip_lengths__FARTHEST_MOVE * half;
-        }
-        if (move < (-strip_lengths__FARTHEST_MOVE) * half)
-        {
-            move = (-strip_lengths__FARTHEST_MOVE) * half;
-        }
+        move = double_max(2, double_min(2, move, strip_lengths__FARTHEST_MOVE * half), (-strip_lengths__FARTHEST_MOVE) * half);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
     }
-    rise = 0.5 * (front_gap + back_gap);
-    if (rise < strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away)
-    {
-        rise = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away;
-    }
-    ratio = (needed - 0.5 * (front + back)) / rise;
-    if (!(ratio > 0.0))
-    {
-        ratio = 0.0;
-    }
+    rise = double_max(2, 0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away);
+    ratio = double_max(2, 0.0, (needed - 0.5 * (front + back)) / rise);
     return half * strip_lengths__corrected(ratio, power);
 }
 
@@ -2991,10 +2866,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
             (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > largest)
-            {
-                largest = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            }
+            largest = double_max(2, largest, (*cspan_at(&work, strip + layout__STRIP_PRESSURE)));
         }
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -3077,22 +2949,12 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > longest)
-        {
-            longest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-        }
+        longest = double_max(2, longest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)));
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SHORTEST * longest)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SHORTEST * longest;
-        }
-        if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)))
-        {
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        }
+        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = double_max(2, double_max(2, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__SHORTEST * longest), strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)));
     }
     return INT64_C(0);
 }
@@ -3615,11 +3477,7 @@ static inline double strip_pressures__apartness(double x, double half_length)
 static inline int64_t strip_pressures__cell_at(double place, int64_t count)
 {
     int64_t cell;
-    cell = (int64_t)(place);
-    if (cell > count - INT64_C(1))
-    {
-        cell = count - INT64_C(1);
-    }
+    cell = int64_t_min(2, (int64_t)(place), count - INT64_C(1));
     return cell;
 }
 
@@ -3679,11 +3537,7 @@ static inline double strip_pressures__mean_at(array_double_1d tables, array_doub
     double outer;
     double result;
     half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near = distance - half;
-    if (near < 0.0)
-    {
-        near = 0.0;
-    }
+    near = double_max(2, distance - half, 0.0);
     far = distance + half;
     inner = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
     outer = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
@@ -3847,7 +3701,7 @@ static inline double strip_pressures__end_displacement(array_double_1d tables, a
 /* y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
  * ``by_penetration``; the penetration [m], and whether found.
  */
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double force, bool by_penetration, bool yawed)
+static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed)
 {
     double penetration;
     int64_t exchange;
@@ -3856,7 +3710,7 @@ static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* r
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_STRIP_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
         strip_pressures__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
         size = strip_pressures__list_loaded(work);
         strip_pressures__write_equations(work, size);
@@ -4027,7 +3881,7 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
  */
 
 /* Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions. */
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count)
+static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -4053,7 +3907,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
                     curves__open_origin(work, tables, region, 0.0);
                     started = 1;
                 }
-                strip_surfaces__trace_strip(work, tables, state, region, strip);
+                strip_surfaces__trace_strip(work, tables, region, strip);
             }
         }
         frame__leave_plane(work, region);
@@ -4062,7 +3916,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
 }
 
 /* The surfaces at a strip of ``region``, whose frame is open. */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t strip)
+static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip)
 {
     double gap;
     double rate;
@@ -4070,7 +3924,7 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
     double curvature;
     double height;
     double slope;
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
     if (gap < frame__NO_GAP)
@@ -4178,14 +4032,7 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, doub
     double slope;
     double z;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    if (y < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
-    {
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-    }
-    if (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
-    {
-        y = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-    }
+    y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     tables__height_slope(&z, &slope, tables, wheel, y);
     return z;
 }
@@ -4284,11 +4131,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
             {
                 if (frame__is_yawed(work))
                 {
-                    overlap = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-                    if (overlap < strip_surfaces__LEAST_OVERLAP * depth)
-                    {
-                        overlap = strip_surfaces__LEAST_OVERLAP * depth;
-                    }
+                    overlap = double_max(2, (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
                     strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
                 }
                 beta = low_beta;
@@ -4351,10 +4194,7 @@ static inline double strip_surfaces__zone_curvature(double depth, double width, 
     {
         B = depth / (width * width);
     }
-    if (B < strip_surfaces__FLATTEST_ZONE * A)
-    {
-        B = strip_surfaces__FLATTEST_ZONE * A;
-    }
+    B = double_max(2, B, strip_surfaces__FLATTEST_ZONE * A);
     return B;
 }
 
@@ -4365,15 +4205,8 @@ static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t
     double least;
     level = depth - one_beta * (depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)));
     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
-    least = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    if (least < strip_surfaces__LEAST_OVERLAP * depth)
-    {
-        least = strip_surfaces__LEAST_OVERLAP * depth;
-    }
-    if (level < least)
-    {
-        level = least;
-    }
+    least = double_max(2, strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
+    level = double_max(2, level, least);
     (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(level / (one_alpha * (*cspan_at(&work, strip + layout__STRIP_A))));
     return INT64_C(0);
 }

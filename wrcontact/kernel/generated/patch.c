@@ -17,7 +17,7 @@ static inline int64_t filling__finish_patches(array_double_1d work, int64_t side
 
 /* patch/outline.py */
 static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
+static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
 static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
@@ -263,14 +263,8 @@ static inline int64_t filling__total_patches(array_double_1d work, int64_t side)
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)))
-        {
-            (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
-        }
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
-        {
-            (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-        }
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = double_max(2, (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)), (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)));
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = double_max(2, (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)), (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
         if (index == INT64_C(0))
         {
             (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
@@ -324,7 +318,7 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
  * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
  * they can be positive.
  */
-static inline int64_t outline__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
+static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
 {
     int64_t index;
     int64_t region;
@@ -514,16 +508,10 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            outline__quadratic_at(&half_length, &pressure, work, count, station);
+            outline__curved_at(&half_length, &pressure, work, count, station);
         }
-        if (half_length > largest)
-        {
-            half_length = largest;
-        }
-        if (pressure > peak)
-        {
-            pressure = peak;
-        }
+        half_length = double_min(2, half_length, largest);
+        pressure = double_min(2, pressure, peak);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
@@ -556,10 +544,7 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
-            if (strip < (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))))
-            {
-                strip = (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST)));
-            }
+            strip = int64_t_max(2, strip, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))));
             while((strip <= (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
             {
                 strip += INT64_C(1);
@@ -605,14 +590,7 @@ static inline double quadrature__bend_of(double before, double low, double high)
     double bend;
     bend = 0.5 * (before - 2.0 * low + high);
     limit = 0.5 * (fabs(low) + fabs(high));
-    if (bend > limit)
-    {
-        bend = limit;
-    }
-    if (bend < -limit)
-    {
-        bend = -limit;
-    }
+    bend = double_max(2, double_min(2, bend, limit), -limit);
     return bend;
 }
 
@@ -642,11 +620,7 @@ static inline int64_t quadrature__cell_part(double* start, double* stop, double 
         bend = quadrature__bend_of(d_before, d_low, d_high);
         slope = d_high - d_low - bend;
         /* the root between two values of opposite sign, in the form that does not cancel */
-        spread = slope * slope - 4.0 * bend * d_low;
-        if (spread < 0.0)
-        {
-            spread = 0.0;
-        }
+        spread = double_max(2, slope * slope - 4.0 * bend * d_low, 0.0);
         spread = sqrt(spread);
         root = 0.0;
         if (d_low > 0.0)
@@ -727,11 +701,7 @@ static inline double quadrature__root_integral(double before, double low, double
 static inline double quadrature__quadratic_at(double low, double slope, double bend, double x)
 {
     double value;
-    value = low + x * (slope + x * bend);
-    if (value < 0.0)
-    {
-        value = 0.0;
-    }
+    value = double_max(2, low + x * (slope + x * bend), 0.0);
     return value;
 }
 

@@ -7,7 +7,7 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
 static inline int64_t prepare_curvatures__write_gauss(array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64_t profile, double low, double high, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__write_lengths(array_double_1d tables, int64_t profile, array_double_1d work, int64_t scratch);
-static inline double prepare_curvatures__arc_length(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch);
+static inline double prepare_curvatures__length_at(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__place_at_length(array_double_1d tables, int64_t profile, double length, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch);
@@ -67,7 +67,7 @@ static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, do
 static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__upright_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
 static inline int64_t prepare_zones__turned_point(double* result_0, double* result_1, array_double_1d zones, int64_t row, double t, double cosine, double sine);
-static inline double prepare_zones__within(double x, double low, double high);
+static inline double prepare_zones__clamped(double x, double low, double high);
 static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y);
 static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle);
@@ -253,7 +253,7 @@ static inline double prepare_curvatures__write_lengths(array_double_1d tables, i
 }
 
 /* Arc length [m] at ``y`` [m]. */
-static inline double prepare_curvatures__arc_length(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch)
+static inline double prepare_curvatures__length_at(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch)
 {
     int64_t first;
     int64_t low;
@@ -346,7 +346,7 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
     double z_1;
     double z_2;
     step = double_min(2, step, 0.5 * total);
-    middle = double_min(2, double_max(2, prepare_curvatures__arc_length(tables, profile, y, work, scratch), step), total - step);
+    middle = double_min(2, double_max(2, prepare_curvatures__length_at(tables, profile, y, work, scratch), step), total - step);
     y_0 = prepare_curvatures__place_at_length(tables, profile, middle - step, work, scratch);
     y_1 = prepare_curvatures__place_at_length(tables, profile, middle, work, scratch);
     y_2 = prepare_curvatures__place_at_length(tables, profile, middle + step, work, scratch);
@@ -501,7 +501,7 @@ static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int
         high = total;
         if (cell + INT64_C(1) < cells)
         {
-            high = prepare_curvatures__arc_length(tables, rail, x, work, scratch);
+            high = prepare_curvatures__length_at(tables, rail, x, work, scratch);
         }
         high_rise = step * prepare_curvatures__rail_speed(tables, rail, x);
         prepare_curvatures__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
@@ -614,9 +614,9 @@ static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t 
     c3 = (*cspan_at(&tables, at + INT64_C(4)));
     c4 = (*cspan_at(&tables, at + INT64_C(5)));
     c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    part = (high - low) / (double)(prepare_pieces__PARTS);
+    part = (high - low) / (double)(prepare_pieces__SEEN_PARTS);
     good = 1;
-    for (i = INT64_C(1); i < prepare_pieces__PARTS; i += INT64_C(1))
+    for (i = INT64_C(1); i < prepare_pieces__SEEN_PARTS; i += INT64_C(1))
     {
         y = (double)(i) * part + low;
         u = y - low;
@@ -1083,7 +1083,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
         if (i < count)
         {
             prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + INT64_C(1)));
-            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__STRAIGHT)
+            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__FLAT_BEND)
             {
                 (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y + 0.5 * step;
                 node += INT64_C(1);
@@ -1399,15 +1399,7 @@ static inline int64_t prepare_tables__write_corrections(array_double_1d tables, 
     double middle;
     double high;
     int64_t at;
-    ratio = poisson_ratio;
-    if (ratio < prepare_tables__FIRST_CORRECTION)
-    {
-        ratio = prepare_tables__FIRST_CORRECTION;
-    }
-    if (ratio > prepare_tables__THIRD_CORRECTION)
-    {
-        ratio = prepare_tables__THIRD_CORRECTION;
-    }
+    ratio = double_min(2, double_max(2, poisson_ratio, prepare_tables__FIRST_CORRECTION), prepare_tables__THIRD_CORRECTION);
     for (i = INT64_C(0); i < layout__CORRECTION_RADII; i += INT64_C(1))
     {
         (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + i)) = (*cspan_at(&fixed, first + i));
@@ -1740,10 +1732,7 @@ static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double
     side = (*cspan_at(&zones, row + prepare_zones__ZONE_SIDE));
     root = sqrt(double_max(2, radius * radius - u * u, 0.0));
     (*z) = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) + side * root;
-    if (root < prepare_zones__VERTICAL)
-    {
-        root = prepare_zones__VERTICAL;
-    }
+    root = double_max(2, root, prepare_zones__VERTICAL);
     (*result_1) = (-side) * u / root;
     (*result_2) = (-side) * (radius * radius) / (root * root * root);
     return 0;
@@ -1779,7 +1768,7 @@ static inline int64_t prepare_zones__turned_point(double* result_0, double* resu
 }
 
 /* ``x``, or the end that it lies beyond. */
-static inline double prepare_zones__within(double x, double low, double high)
+static inline double prepare_zones__clamped(double x, double low, double high)
 {
     return double_min(2, double_max(2, x, low), high);
 }
@@ -1806,13 +1795,13 @@ static inline int64_t prepare_zones__turned_jet(double* result_0, double* result
     first = (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST));
     last = (*cspan_at(&zones, row + prepare_zones__ZONE_LAST));
     along = y - (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT));
-    t = prepare_zones__within(c * along, first, last);
+    t = prepare_zones__clamped(c * along, first, last);
     i = INT64_C(0);
     while(i < prepare_zones__TURNED_ITERATIONS)
     {
         prepare_zones__polynomial_jet(&z, &slope, &bend, zones, row, t);
         newton = (c * t - s * z - along) / (c - s * slope);
-        t = prepare_zones__within(t - newton, first, last);
+        t = prepare_zones__clamped(t - newton, first, last);
         i += INT64_C(1);
         if (fabs(newton) <= prepare_zones__TURNED_SHARP * (1.0 + fabs(along)))
         {
@@ -1970,10 +1959,7 @@ static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* r
                 (*result_1_0001) = depth;
                 return 0;
             }
-            if (z > deepest)
-            {
-                deepest = z;
-            }
+            deepest = double_max(2, deepest, z);
         }
         i -= INT64_C(1);
     }

@@ -13,7 +13,6 @@ static inline int64_t bounds__least_bend(double* bend, double* stretch, array_do
 static inline int64_t bounds__stretch_bend(double* length, double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, int64_t exponent, double u);
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
-static inline int64_t bounds__rising_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
 static inline double bounds__least_slope(double least, double most, double width, double first, double last);
@@ -24,18 +23,18 @@ static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_do
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
 static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine);
 static inline bool first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine);
-static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll, double turned);
-static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll);
+static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, double known, double roll, double turned);
+static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll);
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll);
 static inline double first_root__lever_at(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t at, double one, double other);
-static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t near, int64_t far, double sign);
+static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, int64_t at, double one, double other);
+static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, int64_t near, int64_t far, double sign);
 static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial, int64_t to);
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double near, double middle, double sign);
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll);
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double near, double middle, double sign);
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
 
 /* search/roll.py */
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
@@ -43,32 +42,27 @@ static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
-static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, bool known);
+static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, bool known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
-static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state);
+static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side);
 static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables);
 static inline bool roll__on_profiles(array_double_1d tables, double y, double abscissa);
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double low, double high);
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double first, double last, bool known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm);
+static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double low, double high);
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double first, double last, bool known);
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
 
 /* search/smallest_gap.py */
-static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t stride);
-static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, bool known);
-static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa);
-
-/* search/walk.py */
-static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
-static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
-static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
-static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
-static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last);
-static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction);
-static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa);
-static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, bool listing);
-static inline int64_t walk__search_between(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa, bool listing);
-static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing);
+static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
+static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
+static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
+static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, int64_t cell);
+static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline int64_t smallest_gap__search_cell(array_double_1d work, array_double_1d tables, int64_t side, double least, double most, double first, double last);
+static inline int64_t smallest_gap__search_end(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t outward);
+static inline int64_t smallest_gap__search_between(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, double abscissa);
+static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t direction);
+static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, int64_t stride);
+static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, bool known);
 
 
 /* ---- From search/bounds.py; change that one.
@@ -88,15 +82,7 @@ static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, d
 {
     double u;
     int64_t node;
-    u = (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE));
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0)
-    {
-        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0;
-    }
+    u = double_min(2, double_max(2, 0.0, (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE))), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0);
     node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + (int64_t)(u))));
     if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)) <= y))
     {
@@ -205,14 +191,7 @@ static inline double bounds__rail_place(array_double_1d tables, int64_t scan, do
 /* The cell of the raster of the rail at place ``u``, or the nearest. */
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u)
 {
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0)
-    {
-        u = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0;
-    }
+    u = double_min(2, double_max(2, 0.0, u), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0);
     return (int64_t)(u);
 }
 
@@ -306,10 +285,7 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
         }
     }
     fall = (-slope) * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length;
-    if (fall < 0.0)
-    {
-        fall = 0.0;
-    }
+    fall = double_max(2, fall, 0.0);
     return fall;
 }
 
@@ -332,33 +308,6 @@ static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, arra
         if ((stretch < bounds__WIDEST) && (bounds__largest_fall(slope, bend, length, stretch) <= excess))
         {
             return exponent;
-        }
-        exponent -= INT64_C(1);
-    }
-    return exponent;
-}
-
-/* As ``clear_exponent``, also for cells over which the gap only rises. */
-static inline int64_t bounds__rising_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
-{
-    double u;
-    double length;
-    double bend;
-    double stretch;
-    u = bounds__rail_place(tables, scan, abscissa);
-    while(exponent >= INT64_C(0))
-    {
-        bounds__stretch_bend(&length, &bend, &stretch, tables, work, scan, at, node, direction, exponent, u);
-        if (stretch < bounds__WIDEST)
-        {
-            if (bounds__largest_fall(slope, bend, length, stretch) <= excess)
-            {
-                return exponent;
-            }
-            if ((slope >= 0.0) && (slope + bend * length >= 0.0))
-            {
-                return exponent;
-            }
         }
         exponent -= INT64_C(1);
     }
@@ -417,11 +366,7 @@ static inline int64_t bounds__bend_bounds(double* least, double* most, array_dou
     least_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_LEAST_BEND));
     most_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + INT64_C(0)));
     (*least) = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel));
-    (*most) = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel));
-    if (!((*most) > 0.0))
-    {
-        (*most) = 0.0;
-    }
+    (*most) = double_max(2, 0.0, most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel)));
     return 0;
 }
 
@@ -482,25 +427,25 @@ static inline double bounds__least_slope(double least, double most, double width
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that.
  */
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm)
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
 {
-    first_root__certified_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
+    first_root__certified_roll(roll, status, work, left_tables, right_tables, guess, warm);
     if (((*status) != layout__VALID) && ((guess != 0.0) || warm))
     {
-        first_root__certified_roll(roll, status, work, left_tables, right_tables, state, 0.0, 0);
+        first_root__certified_roll(roll, status, work, left_tables, right_tables, 0.0, 0);
     }
     return 0;
 }
 
 /* ``solve_roll`` from this start alone. */
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm)
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
 {
-    roll__any_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
+    roll__any_roll(roll, status, work, left_tables, right_tables, guess, warm);
     if (((*status) == layout__VALID) && (!first_root__falls_at_zero_roll(work, left_tables, right_tables, (*roll))))
     {
-        if (!first_root__is_certainly_first(work, left_tables, right_tables, state, (*roll)))
+        if (!first_root__is_certainly_first(work, left_tables, right_tables, (*roll)))
         {
-            first_root__first_root(roll, status, work, left_tables, right_tables, state, (*roll));
+            first_root__first_root(roll, status, work, left_tables, right_tables, (*roll));
         }
     }
     return 0;
@@ -527,7 +472,7 @@ static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_do
 /* How fast a lever changes with the roll at most [m], where profiles are as steep as ``steep`` [-]. */
 static inline double first_root__lever_per_roll(double steep, double radius, double arm)
 {
-    return first_root__TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius);
+    return first_root__LEVER_TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius);
 }
 
 /* The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
@@ -546,7 +491,7 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
     radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
     steep = fabs(lever + arm) / radius;
-    yawed = first_root__YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
+    yawed = first_root__LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
     return lever + first_root__lever_per_roll(steep, radius, arm) * fabs(roll) + yawed;
 }
 
@@ -598,7 +543,7 @@ static inline bool first_root__is_beside_rail(array_double_1d work, array_double
  * places that are not beside the rail at zero roll; or those beyond its contact at zero
  * roll, for which that one is searched.
  */
-static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll)
+static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
 {
     double sine;
     double turned;
@@ -613,7 +558,7 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
         certain = first_root__is_beside_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), state, known, roll, turned);
+            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), known, roll, turned);
         }
     }
     else
@@ -622,7 +567,7 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
         certain = first_root__is_beside_rail(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), state, known, roll, turned);
+            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), known, roll, turned);
         }
     }
     return certain;
@@ -632,7 +577,7 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
  * ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
  * either wheel is rolled against its rail by up to ``turned`` [rad].
  */
-static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, array_double_1d state, double known, double roll, double turned)
+static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, double known, double roll, double turned)
 {
     int64_t lower;
     double gap;
@@ -646,8 +591,8 @@ static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_
     abscissa = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL));
     certain = 0;
     roll__turn_both(work, 0.0);
-    followed = roll__follow_side(work, tables, lower, state);
-    if (smallest_gap__search_side(work, tables, lower, state, followed))
+    followed = roll__follow_side(work, tables, lower);
+    if (smallest_gap__search_side(work, tables, lower, followed))
     {
         if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), turned, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
         {
@@ -690,7 +635,7 @@ static inline double first_root__lever_at(array_double_1d work, array_double_1d 
 }
 
 /* Smallest and largest ``lever_at`` between two places of the wheel [m]. */
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t at, double one, double other)
+static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, int64_t at, double one, double other)
 {
     int64_t scan;
     double y;
@@ -711,7 +656,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
     }
     node = bounds__node_below(tables, scan, y);
     before = first_root__lever_at(work, tables, at, y);
-    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+    (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
     (*least) = before;
     (*most) = before;
     while(y < last)
@@ -724,7 +669,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
             following = last;
         }
         lever = first_root__lever_at(work, tables, at, following);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         beyond = 0.5 * first_root__FASTER * bend * (following - y) * ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + (*cspan_at(&work, at + layout__PLACE_ARM)));
         (*least) = double_min(2, (*least), double_min(2, lever, before) - beyond);
         (*most) = double_max(2, (*most), double_max(2, lever, before) + beyond);
@@ -765,7 +710,7 @@ static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial
 /* Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
  * ``sign`` or, at ``far``, is zero.
  */
-static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, int64_t near, int64_t far, double sign)
+static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, int64_t near, int64_t far, double sign)
 {
     double width;
     double left_least;
@@ -783,8 +728,8 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
     double meet;
     width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL)));
     roll__turn_both(work, 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL))));
-    first_root__lever_range(&left_least, &left_most, work, left_tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
-    first_root__lever_range(&right_least, &right_most, work, right_tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
+    first_root__lever_range(&left_least, &left_most, work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
+    first_root__lever_range(&right_least, &right_most, work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
     arm = (*cspan_at(&right_tables, layout__TABLES_ARM));
     radius = double_max(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
     steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / double_min(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
@@ -803,7 +748,7 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
 }
 
 /* The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``. */
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll)
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
 {
     double sign;
     double first;
@@ -816,7 +761,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     double middle;
     first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     roll__turn_both(work, 0.0);
-    if (!roll__search_both(work, left_tables, right_tables, state, 0))
+    if (!roll__search_both(work, left_tables, right_tables, 0))
     {
         (*result_0) = 0.0;
         (*result_1) = layout__OFF_PROFILE;
@@ -841,7 +786,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     status = layout__VALID;
     if (sign * roll < 0.0)
     {
-        roll__roll_between(&roll, &status, work, left_tables, right_tables, state, 0.5 * (first + last), first, last, 0);
+        roll__roll_between(&roll, &status, work, left_tables, right_tables, 0.5 * (first + last), first, last, 0);
         first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     }
     end = INT64_C(0);
@@ -850,7 +795,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     {
         far = layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR + layout__ROLL_TRIAL_SIZE * end;
         width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
-        if ((width < first_root__APART) || first_root__has_no_root(work, left_tables, right_tables, state, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
+        if ((width < first_root__APART) || first_root__has_no_root(work, left_tables, right_tables, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
         {
             first_root__copy_trial(work, far, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR);
             end -= INT64_C(1);
@@ -859,7 +804,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
         {
             middle = 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
             roll__turn_both(work, middle);
-            if (!roll__search_both(work, left_tables, right_tables, state, 0))
+            if (!roll__search_both(work, left_tables, right_tables, 0))
             {
                 status = layout__OFF_PROFILE;
             }
@@ -872,12 +817,12 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
             {
                 /* a root before: it is the known one now */
                 end = INT64_C(0);
-                first_root__root_before(&roll, &status, work, left_tables, right_tables, state, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
+                first_root__root_before(&roll, &status, work, left_tables, right_tables, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
                 first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
             }
         }
         trial += INT64_C(1);
-        if ((trial == first_root__TRIALS) || (end >= layout__TRIAL_LIMIT - INT64_C(2)))
+        if ((trial == first_root__ROOT_TRIALS) || (end >= layout__TRIAL_LIMIT - INT64_C(2)))
         {
             status = layout__NOT_CONVERGED;
         }
@@ -885,7 +830,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     if (status == layout__VALID)
     {
         roll__turn_both(work, roll);
-        roll__search_both(work, left_tables, right_tables, state, 0);
+        roll__search_both(work, left_tables, right_tables, 0);
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -895,7 +840,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
 /* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
  * it has not; and the outcome.
  */
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double near, double middle, double sign)
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double near, double middle, double sign)
 {
     double first;
     double last;
@@ -906,7 +851,7 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
         first = middle - first_root__APART;
         last = near;
     }
-    roll__roll_between(result_0, result_1, work, left_tables, right_tables, state, middle, first, last, 0);
+    roll__roll_between(result_0, result_1, work, left_tables, right_tables, middle, first, last, 0);
     return 0;
 }
 
@@ -995,17 +940,17 @@ static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place)
 }
 
 /* Search both sides; whether both wheels are above their rails. */
-static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, bool known)
+static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, bool known)
 {
     bool left;
     bool right;
-    left = smallest_gap__search_side(work, left_tables, layout__WORK_SIDES, state, known);
-    right = smallest_gap__search_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state, known);
+    left = smallest_gap__search_side(work, left_tables, layout__WORK_SIDES, known);
+    right = smallest_gap__search_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), known);
     return left && right;
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; whether it is found near. */
-static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state)
+static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side)
 {
     int64_t at;
     int64_t wheel;
@@ -1022,13 +967,13 @@ static inline bool roll__follow_side(array_double_1d work, array_double_1d table
     for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
     {
         gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, y);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         if (!(rate > 0.0))
         {
             return 0;
         }
         move = (-mismatch) / rate;
-        if (fabs(move) < walk__SHARP)
+        if (fabs(move) < smallest_gap__SHARP)
         {
             abscissa = bounds__rail_below(work, tables, at, y);
             if (!gap__above_rail(tables, abscissa))
@@ -1067,7 +1012,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  * and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
  * Between nearly conformal profiles a minimum can run away or vanish.
  */
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double low, double high)
+static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double low, double high)
 {
     double left;
     double right;
@@ -1093,8 +1038,9 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__NEWTON_STEPS; i += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
         roll__turn_both(work, roll);
         gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
         gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
@@ -1118,7 +1064,7 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
         move = (-difference) / lever;
         move_left += turn_left * move / rate_left;
         move_right -= turn_right * move / rate_right;
-        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < walk__SHARP) && (fabs(move_right) < walk__SHARP))
+        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < smallest_gap__SHARP) && (fabs(move_right) < smallest_gap__SHARP))
         {
             if ((!roll__on_profiles(left_tables, left, rail_left)) || (!roll__on_profiles(right_tables, right, rail_right)))
             {
@@ -1181,7 +1127,7 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double roll, double first, double last, bool known)
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double first, double last, bool known)
 {
     double low;
     double high;
@@ -1207,7 +1153,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
         before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-        found = roll__search_both(work, left_tables, right_tables, state, known);
+        found = roll__search_both(work, left_tables, right_tables, known);
         if (known && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
         {
             (*result_0_0001) = roll;
@@ -1259,7 +1205,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         else
         {
-            roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, state, roll + move, low, high);
+            roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, roll + move, low, high);
             roll += move;
             if (known)
             {
@@ -1286,7 +1232,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, double guess, bool warm)
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
 {
     double start;
     bool known;
@@ -1300,17 +1246,17 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
     roll__place_both(work, left_tables, right_tables, start);
     if (warm)
     {
-        roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+        roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
         if (known)
         {
             start = balanced;
         }
     }
-    roll__roll_between(roll, status, work, left_tables, right_tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
+    roll__roll_between(roll, status, work, left_tables, right_tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
     if (((*status) != layout__VALID) && (start != 0.0))
     {
         /* far from zero roll a wheel may be beside its rail, and D without a sign */
-        roll__roll_between(roll, status, work, left_tables, right_tables, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, 0);
+        roll__roll_between(roll, status, work, left_tables, right_tables, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, 0);
     }
     return 0;
 }
@@ -1318,159 +1264,25 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
 
 /* ---- From search/smallest_gap.py; change that one.
  *
- * The smallest vertical gap of one side, and the further local minima of the gap.
+ * The smallest vertical gap of one side.
  *
- * The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known
- * place, or the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it
- * leaves out cannot hold a smaller gap, by the bounds of the gap's second derivative: so the global
- * minimum is bounded and not assumed.
- */
-
-/* Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
+ * The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known place, or
+ * the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it leaves out cannot
+ * hold a smaller gap, by the bounds of the gap's second derivative: so the global minimum is bounded and not
+ * assumed.
  *
- * With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
- * smaller one is looked for.
- */
-static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, bool known)
-{
-    int64_t scan;
-    int64_t at;
-    int64_t cell;
-    int64_t ahead;
-    int64_t behind;
-    int64_t node;
-    double gap;
-    double mismatch;
-    double abscissa;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    at = side + layout__SIDE_SEARCH_PLACE;
-    (*cspan_at(&state, layout__STATE_SCAN_COUNT)) += 1.0;
-    if (known)
-    {
-        cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-        ahead = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
-        behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
-        if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
-        {
-            walk__walk(work, tables, side, state, cell + (INT64_C(1) << ahead), INT64_C(1), 0);
-            walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1), 0);
-            return 1;
-        }
-        node = cell;
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-        if (!gap__above_rail(tables, abscissa))
-        {
-            node = cell + INT64_C(1);
-        }
-    }
-    else
-    {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = walk__LARGE_GAP;
-        node = smallest_gap__best_node(work, tables, side, state, smallest_gap__PROBE_STRIDE);
-        if (node < INT64_C(0))
-        {
-            node = smallest_gap__best_node(work, tables, side, state, INT64_C(1));
-        }
-        if (node < INT64_C(0))
-        {
-            return 0;
-        }
-    }
-    walk__walk(work, tables, side, state, node, INT64_C(1), 0);
-    walk__walk(work, tables, side, state, node, -INT64_C(1), 0);
-    return 1;
-}
-
-/* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
- * known; -1 if there is none.
- */
-static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t stride)
-{
-    int64_t scan;
-    int64_t at;
-    int64_t node;
-    double gap;
-    double mismatch;
-    double abscissa;
-    int64_t found;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    at = side + layout__SIDE_SEARCH_PLACE;
-    found = -INT64_C(1);
-    node = INT64_C(0);
-    while(node < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
-    {
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        if (gap__above_rail(tables, abscissa))
-        {
-            if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
-            {
-                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-                found = node;
-            }
-        }
-        else if ((found >= INT64_C(0)) && bounds__leaves_rail(work, tables, at, node, INT64_C(1), abscissa))
-        {
-            return found;
-        }
-        node += stride;
-    }
-    return found;
-}
-
-/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at
- * ``abscissa`` on the rail [m]: the candidates ``first`` ... ``last`` of the side.
- */
-static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa)
-{
-    int64_t scan;
-    int64_t cell;
-    int64_t ahead;
-    int64_t behind;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)) = reach;
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)(layout__CANDIDATES);
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)(layout__CANDIDATES - INT64_C(1));
-    ahead = bounds__rising_from_minimum(tables, work, scan, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), abscissa);
-    if (ahead < INT64_C(0))
-    {
-        ahead = INT64_C(0);
-    }
-    walk__walk(work, tables, side, state, cell + (INT64_C(1) << ahead), INT64_C(1), 1);
-    behind = bounds__rising_from_minimum(tables, work, scan, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), abscissa);
-    if (behind < INT64_C(0))
-    {
-        behind = INT64_C(0);
-    }
-    walk__walk(work, tables, side, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1), 1);
-    return INT64_C(0);
-}
-
-
-/* ---- From search/walk.py; change that one.
- *
- * Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the
- * gap.
- *
- * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
- * interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
- * is searched. One walk serves two questions: the smallest gap (``listing`` = 0) and all local minima below
- * ``side.reach`` (``listing`` = 1).
+ * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot become smaller
+ * than the smallest one known; that stretch, of up to 32 cells, is skipped. Where not even one cell can be
+ * skipped, the cell itself is searched, or the part of it that is above the rail: it is halved until it is
+ * settled. The gap between both ends lies above its chord by no less than -M h^2 / 8, where M bounds its second
+ * derivative from above.
  *
  * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
  * nodes, does not look between them, and ends at the first node beside the rail.
- *
- * Local minima are sought inside one cell of the raster, or inside the part of it that is above the rail.
- * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
- * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
- * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
- * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
  */
 
 /* Fill in a cell that waits to be searched. */
-static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
+static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
 {
     (*cspan_at(&work, cell + layout__CELL_LOW)) = low;
     (*cspan_at(&work, cell + layout__CELL_HIGH)) = high;
@@ -1482,7 +1294,7 @@ static inline int64_t walk__write_cell(array_double_1d work, int64_t cell, doubl
 }
 
 /* Abscissae, gaps [m] and mismatches [-] at both ends of a cell. */
-static inline int64_t walk__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
+static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
 {
     (*result_0) = (*cspan_at(&work, cell + layout__CELL_LOW));
     (*result_1) = (*cspan_at(&work, cell + layout__CELL_HIGH));
@@ -1497,7 +1309,7 @@ static inline int64_t walk__cell_ends(double* result_0, double* result_1, double
  * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
  * second derivative [1/m].
  */
-static inline int64_t walk__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last)
+static inline int64_t smallest_gap__search_cell(array_double_1d work, array_double_1d tables, int64_t side, double least, double most, double first, double last)
 {
     int64_t at;
     double gap_low;
@@ -1521,158 +1333,41 @@ static inline int64_t walk__search_cell(array_double_1d work, array_double_1d ta
     at = side + layout__SIDE_SEARCH_PLACE;
     gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, first);
     gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, last);
-    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
+    (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 2.0;
+    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
     depth = INT64_C(1);
     while(depth > INT64_C(0))
     {
         depth -= INT64_C(1);
         cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        walk__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
+        smallest_gap__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
         width = high - low;
         lowest = gap_low;
-        walk__keep_smaller(work, side, low, gap_low);
+        smallest_gap__keep_smaller(work, side, low, gap_low);
         if (gap_high < gap_low)
         {
             lowest = gap_high;
-            walk__keep_smaller(work, side, high, gap_high);
+            smallest_gap__keep_smaller(work, side, high, gap_high);
         }
         if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
             steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && (!folded);
-            if (turns && ((least > 0.0) || (width <= walk__NARROW)))
+            if (turns && ((least > 0.0) || (width <= smallest_gap__NARROW)))
             {
-                walk__refine_minimum(&y, &gap, work, tables, at, state, cell, walk__SHARP);
-                walk__keep_refined(work, side, y, gap, width);
+                smallest_gap__refine_minimum(&y, &gap, work, tables, at, cell);
+                smallest_gap__keep_refined(work, side, y, gap, width);
             }
-            else if ((width > walk__NARROW) && (!steady) && (folded || (!(least > 0.0))))
-            {
-                middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
-                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-                walk__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
-                walk__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
-                depth += INT64_C(2);
-            }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* List the local minima below ``side.reach`` in the first cell of the stack, which lies between
- * ``node`` and the next one.
- *
- * abscissa : of its lower end on the rail [m].
- */
-static inline int64_t walk__list_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa)
-{
-    int64_t at;
-    int64_t scan;
-    int64_t first;
-    double nothing;
-    double most;
-    double least;
-    double stretch;
-    double gap_low;
-    double mismatch_low;
-    double rate;
-    double gap_high;
-    double mismatch_high;
-    int64_t depth;
-    int64_t cell;
-    double low;
-    double high;
-    double width;
-    bool folded;
-    bool turns;
-    double y;
-    double gap;
-    double middle;
-    double mismatch;
-    int64_t other;
-    at = side + layout__SIDE_SEARCH_PLACE;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    first = side + layout__SIDE_SEARCH_STACK;
-    bounds__bend_bounds(&nothing, &most, tables, work, scan, at, node, abscissa);
-    bounds__least_bend(&least, &stretch, tables, work, scan, at, node, INT64_C(0), (*cspan_at(&work, first + layout__CELL_HIGH)) - (*cspan_at(&work, first + layout__CELL_LOW)), bounds__rail_place(tables, scan, abscissa));
-    if (!(stretch < bounds__WIDEST))
-    {
-        /* the outline may be folded there */
-        least = nothing;
-        gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_LOW)));
-        gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, (*cspan_at(&work, first + layout__CELL_HIGH)));
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-        walk__write_cell(work, first, (*cspan_at(&work, first + layout__CELL_LOW)), (*cspan_at(&work, first + layout__CELL_HIGH)), gap_low, gap_high, mismatch_low, mismatch_high);
-    }
-    depth = INT64_C(1);
-    while(depth > INT64_C(0))
-    {
-        depth -= INT64_C(1);
-        cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        walk__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
-        width = high - low;
-        if (double_min(2, gap_low, gap_high) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
-        {
-            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            if (turns && ((least > 0.0) || (width <= walk__LISTED_ONE)))
-            {
-                walk__refine_minimum(&y, &gap, work, tables, at, state, cell, walk__LISTED_SHARP);
-                if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
-                {
-                    walk__list_minimum(work, side, y, bounds__rail_below(work, tables, at, y), direction);
-                }
-            }
-            else if ((width > walk__NARROW) && (folded || (!bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high))))
+            else if ((width > smallest_gap__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
-                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-                /* the one that comes first in ``direction`` on top */
-                other = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1));
-                if (direction > INT64_C(0))
-                {
-                    walk__write_cell(work, cell, middle, high, gap, gap_high, mismatch, mismatch_high);
-                    walk__write_cell(work, other, low, middle, gap_low, gap, mismatch_low, mismatch);
-                }
-                else
-                {
-                    walk__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
-                    walk__write_cell(work, other, middle, high, gap, gap_high, mismatch, mismatch_high);
-                }
+                (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+                smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
+                smallest_gap__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
                 depth += INT64_C(2);
             }
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` =
- * 1, else at the beginning.
- */
-static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
-{
-    int64_t entry;
-    int64_t candidate;
-    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
-    if (direction < INT64_C(0))
-    {
-        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))) - INT64_C(1);
-    }
-    if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * layout__CANDIDATES))
-    {
-        candidate = side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * entry;
-        (*cspan_at(&work, candidate + layout__CANDIDATE_Y)) = y;
-        (*cspan_at(&work, candidate + layout__CANDIDATE_RAIL)) = abscissa;
-        if (direction < INT64_C(0))
-        {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)(entry);
-        }
-        else
-        {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)(entry);
         }
     }
     return INT64_C(0);
@@ -1681,9 +1376,9 @@ static inline int64_t walk__list_minimum(array_double_1d work, int64_t side, dou
 /* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
  * node beside a contact is none.
  */
-static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
+static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
 {
-    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - walk__ROUNDING)
+    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - smallest_gap__ROUNDING)
     {
         (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
         (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
@@ -1694,13 +1389,13 @@ static inline int64_t walk__keep_smaller(array_double_1d work, int64_t side, dou
 /* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
  * ``width`` [m] that has the same gap but for the last bits.
  */
-static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
+static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
 {
     double allowed;
     allowed = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
     if (fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) < width)
     {
-        allowed += walk__ROUNDING;
+        allowed += smallest_gap__ROUNDING;
     }
     if (gap < allowed)
     {
@@ -1710,10 +1405,10 @@ static inline int64_t walk__keep_refined(array_double_1d work, int64_t side, dou
     return INT64_C(0);
 }
 
-/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell:
+/* Abscissa [m] and gap [m] where the slope difference vanishes in a cell:
  * bracketed Newton's method.
  */
-static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp)
+static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, int64_t cell)
 {
     double low;
     double high;
@@ -1726,10 +1421,10 @@ static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_
     high = (*cspan_at(&work, cell + layout__CELL_HIGH));
     (*y) = low - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) * (high - low) / ((*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)));
     (*gap) = 0.0;
-    for (i = INT64_C(0); i < walk__REFINEMENTS; i += INT64_C(1))
+    for (i = INT64_C(0); i < smallest_gap__REFINEMENTS; i += INT64_C(1))
     {
         gap__vertical_gap(gap, &mismatch, &rate, work, tables, at, (*y));
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         if (mismatch < 0.0)
         {
             low = (*y);
@@ -1742,7 +1437,7 @@ static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_
         if (rate > 0.0)
         {
             move = (-mismatch) / rate;
-            if (fabs(move) < sharp)
+            if (fabs(move) < smallest_gap__SHARP)
             {
                 break;
             }
@@ -1751,7 +1446,7 @@ static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_
                 following = (*y) + move;
             }
         }
-        if (fabs(following - (*y)) < sharp)
+        if (fabs(following - (*y)) < smallest_gap__SHARP)
         {
             break;
         }
@@ -1761,7 +1456,7 @@ static inline int64_t walk__refine_minimum(double* y, double* gap, array_double_
 }
 
 /* Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
-static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, bool listing)
+static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t direction)
 {
     int64_t scan;
     int64_t at;
@@ -1780,7 +1475,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
     at = side + layout__SIDE_SEARCH_PLACE;
     count = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)));
     exponent = layout__EXPONENTS - INT64_C(1);
-    gap_before = walk__LARGE_GAP;
+    gap_before = smallest_gap__LARGE_GAP;
     mismatch_before = 0.0;
     abscissa_before = 0.0;
     skipped = 1;
@@ -1788,12 +1483,12 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
     while((node >= INT64_C(0)) && (node < count))
     {
         bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         if (!gap__above_rail(tables, abscissa))
         {
             if ((!skipped) && (!beside))
             {
-                walk__search_end(work, tables, side, state, node - direction, direction, direction, listing);
+                smallest_gap__search_end(work, tables, side, node - direction, direction);
             }
             if (bounds__leaves_rail(work, tables, at, node, direction, abscissa))
             {
@@ -1805,25 +1500,22 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
         }
         else
         {
-            if (!listing)
-            {
-                walk__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
-            }
+            smallest_gap__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
             if (beside)
             {
-                walk__search_end(work, tables, side, state, node, -direction, direction, listing);
+                smallest_gap__search_end(work, tables, side, node, -direction);
             }
             else if (!skipped)
             {
                 if (direction > INT64_C(0))
                 {
-                    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
-                    walk__search_between(work, tables, side, state, node - INT64_C(1), direction, abscissa_before, listing);
+                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
+                    smallest_gap__search_between(work, tables, side, node - INT64_C(1), abscissa_before);
                 }
                 else
                 {
-                    walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
-                    walk__search_between(work, tables, side, state, node, direction, abscissa, listing);
+                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
+                    smallest_gap__search_between(work, tables, side, node, abscissa);
                 }
             }
             beside = 0;
@@ -1831,14 +1523,7 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
             mismatch_before = mismatch;
             abscissa_before = abscissa;
             slope = (double)(direction) * mismatch;
-            if (!listing)
-            {
-                exponent = bounds__clear_exponent(tables, work, scan, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), slope, exponent);
-            }
-            else
-            {
-                exponent = bounds__rising_exponent(tables, work, scan, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)), slope, exponent);
-            }
+            exponent = bounds__clear_exponent(tables, work, scan, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), slope, exponent);
             skipped = 1;
             if (exponent < INT64_C(0))
             {
@@ -1855,30 +1540,23 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
     return INT64_C(0);
 }
 
-/* Search the first cell of the stack, which lies between ``node`` and the next one, if it
- * can hold what is asked for.
+/* Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold a
+ * smaller gap.
  *
  * abscissa : of ``node`` on the rail [m].
  */
-static inline int64_t walk__search_between(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t direction, double abscissa, bool listing)
+static inline int64_t smallest_gap__search_between(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, double abscissa)
 {
     double least;
     double most;
     int64_t cell;
     double width;
-    if (listing)
+    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
+    cell = side + layout__SIDE_SEARCH_STACK;
+    width = (*cspan_at(&work, cell + layout__CELL_HIGH)) - (*cspan_at(&work, cell + layout__CELL_LOW));
+    if (double_min(2, (*cspan_at(&work, cell + layout__CELL_GAP_LOW)), (*cspan_at(&work, cell + layout__CELL_GAP_HIGH))) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
     {
-        walk__list_cell(work, tables, side, state, node, direction, abscissa);
-    }
-    else
-    {
-        bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
-        cell = side + layout__SIDE_SEARCH_STACK;
-        width = (*cspan_at(&work, cell + layout__CELL_HIGH)) - (*cspan_at(&work, cell + layout__CELL_LOW));
-        if (double_min(2, (*cspan_at(&work, cell + layout__CELL_GAP_LOW)), (*cspan_at(&work, cell + layout__CELL_GAP_HIGH))) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
-        {
-            walk__search_cell(work, tables, side, state, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
-        }
+        smallest_gap__search_cell(work, tables, side, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
     }
     return INT64_C(0);
 }
@@ -1886,7 +1564,7 @@ static inline int64_t walk__search_between(array_double_1d work, array_double_1d
 /* Search between ``node``, above the rail, and the end of the rail, which lies before the next node
  * ``outward`` (1 or -1).
  */
-static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, bool listing)
+static inline int64_t smallest_gap__search_end(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t outward)
 {
     int64_t at;
     double inner;
@@ -1894,11 +1572,6 @@ static inline int64_t walk__search_end(array_double_1d work, array_double_1d tab
     double low;
     double high;
     int64_t cell;
-    double gap_low;
-    double mismatch_low;
-    double rate;
-    double gap_high;
-    double mismatch_high;
     double gap;
     double mismatch;
     double abscissa;
@@ -1917,25 +1590,107 @@ static inline int64_t walk__search_end(array_double_1d work, array_double_1d tab
     }
     if (low < high)
     {
-        if (listing)
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &beyond, work, tables, at, node + outward);
+        if (beyond < abscissa)
         {
-            gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, low);
-            gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, high);
-            (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
-            walk__write_cell(work, side + layout__SIDE_SEARCH_STACK, low, high, gap_low, gap_high, mismatch_low, mismatch_high);
-            walk__list_cell(work, tables, side, state, cell, direction, bounds__rail_below(work, tables, at, low));
+            abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
         }
-        else
-        {
-            bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-            bounds__node_gap(&gap, &mismatch, &beyond, work, tables, at, node + outward);
-            if (beyond < abscissa)
-            {
-                abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
-            }
-            bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), at, cell, abscissa);
-            walk__search_cell(work, tables, side, state, -1.0, most, low, high);
-        }
+        bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), at, cell, abscissa);
+        smallest_gap__search_cell(work, tables, side, -1.0, most, low, high);
     }
     return INT64_C(0);
+}
+
+/* Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
+ *
+ * With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
+ * smaller one is looked for.
+ */
+static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, bool known)
+{
+    int64_t scan;
+    int64_t at;
+    int64_t cell;
+    int64_t ahead;
+    int64_t behind;
+    int64_t node;
+    double gap;
+    double mismatch;
+    double abscissa;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    at = side + layout__SIDE_SEARCH_PLACE;
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_SCAN_COUNT)) += 1.0;
+    if (known)
+    {
+        cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+        ahead = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
+        behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
+        if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
+        {
+            smallest_gap__walk(work, tables, side, cell + (INT64_C(1) << ahead), INT64_C(1));
+            smallest_gap__walk(work, tables, side, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+            return 1;
+        }
+        node = cell;
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        if (!gap__above_rail(tables, abscissa))
+        {
+            node = cell + INT64_C(1);
+        }
+    }
+    else
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = smallest_gap__LARGE_GAP;
+        node = smallest_gap__best_node(work, tables, side, smallest_gap__PROBE_STRIDE);
+        if (node < INT64_C(0))
+        {
+            node = smallest_gap__best_node(work, tables, side, INT64_C(1));
+        }
+        if (node < INT64_C(0))
+        {
+            return 0;
+        }
+    }
+    smallest_gap__walk(work, tables, side, node, INT64_C(1));
+    smallest_gap__walk(work, tables, side, node, -INT64_C(1));
+    return 1;
+}
+
+/* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
+ * known; -1 if there is none.
+ */
+static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, int64_t stride)
+{
+    int64_t scan;
+    int64_t at;
+    int64_t node;
+    double gap;
+    double mismatch;
+    double abscissa;
+    int64_t found;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    at = side + layout__SIDE_SEARCH_PLACE;
+    found = -INT64_C(1);
+    node = INT64_C(0);
+    while(node < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
+    {
+        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+        if (gap__above_rail(tables, abscissa))
+        {
+            if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
+            {
+                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+                found = node;
+            }
+        }
+        else if ((found >= INT64_C(0)) && bounds__leaves_rail(work, tables, at, node, INT64_C(1), abscissa))
+        {
+            return found;
+        }
+        node += stride;
+    }
+    return found;
 }

@@ -8,7 +8,7 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
 
 /* surface/gap.py */
 static inline bool gap__above_rail(array_double_1d tables, double abscissa);
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y);
 static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y);
 
@@ -19,8 +19,8 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
 static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius);
 static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
+static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
+static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
 static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y);
 
 /* surface/rails.py */
@@ -37,7 +37,7 @@ static inline double tables__read_cubic(array_double_1d tables, int64_t table, d
 static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at);
 static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y);
 static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y);
-static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
+static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
 
 
 /* ---- From surface/curvature.py; change that one.
@@ -109,11 +109,7 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
         e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
         around = e1 * cos_phi - e3 * sin_phi;
         steep = sqrt(1.0 + slope * slope);
-        curvature = (around * around / r - bend * e2 * e2) / steep;
-        if (curvature < curvature__CURVATURE_FLOOR / (r * steep))
-        {
-            curvature = curvature__CURVATURE_FLOOR / (r * steep);
-        }
+        curvature = double_max(2, (around * around / r - bend * e2 * e2) / steep, curvature__CURVATURE_FLOOR / (r * steep));
     }
     return curvature;
 }
@@ -144,7 +140,7 @@ static inline bool gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
  * contact: its slope difference reads FOLDED.
  */
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
     double z;
     double slope;
@@ -364,15 +360,7 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
     double root;
     double t;
     double cos_t;
-    w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
-    if (w > 1.0)
-    {
-        w = 1.0;
-    }
-    if (w < -1.0)
-    {
-        w = -1.0;
-    }
+    w = double_max(2, double_min(2, (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope, 1.0), -1.0);
     root = sqrt(1.0 - w * w);
     t = (*cspan_at(&work, place + layout__PLACE_T));
     cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
@@ -387,7 +375,7 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
  * They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
  * is at minus ``place.height``.
  */
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
+static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
 {
     double sin_roll;
     double cos_roll;
@@ -426,7 +414,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
  * slope [1/m]. (Both are written out: a search calls the shorter one most.)
  */
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
+static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;
@@ -633,14 +621,7 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
  */
 static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last)
 {
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
+    u = double_min(2, double_max(2, 0.0, u), last);
     (*cell) = (int64_t)(u);
     if ((*cell) > (int64_t)(last) - INT64_C(1))
     {
@@ -688,14 +669,7 @@ static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile
     int64_t piece;
     u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
     last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
+    u = double_min(2, double_max(2, 0.0, u), last);
     piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
     while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
     {
@@ -726,7 +700,7 @@ static inline int64_t tables__height_slope(double* result_0, double* slope, arra
 }
 
 /* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static inline int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
+static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
 {
     int64_t piece;
     double u;

@@ -5,30 +5,30 @@
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i);
 static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_t bracket, double place, double value);
 static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t count);
-static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
+static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work);
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, array_double_1d state, int64_t flat, double flat_force, double steep_force);
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/compliant.py */
 static OUT_OF_LINE bool compliant__is_damped(array_double_1d tables);
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t patch, double factor);
 static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
-static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm);
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/forces.py */
 static inline int64_t forces__clear_forces(array_double_1d work, int64_t forces);
@@ -74,15 +74,15 @@ static inline double requested__next_load(array_double_1d work, int64_t support,
 static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
 static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
-static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
 static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
@@ -94,19 +94,19 @@ static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_do
 
 /* wheelset/side.py */
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
-static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
-static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
-static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
-static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height);
-static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach);
+static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed);
+static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force);
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height);
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach);
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
 
 /* wheelset/step.py */
 static inline double step__support_height(array_double_1d work);
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
-static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll);
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
+static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
 static inline int64_t step__stand(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status);
@@ -116,12 +116,12 @@ static inline int64_t step__step(array_double_1d left_tables, array_double_1d ri
 static inline int64_t step__step_many(int64_t count, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
 
 /* wheelset/trial.py */
-static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height);
-static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double left, double right, double height);
-static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
-static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double left, double right, double height);
+static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
 
 
@@ -196,23 +196,23 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
  * The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
  * at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
  */
-static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
+static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
     int64_t support;
     double approach;
     int64_t count;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-    (*status) = trial__balance_side(tables, work, state, index, force, height);
+    (*status) = trial__balance_side(tables, work, index, force, height);
     (*residual) = (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) - height;
     (*satisfied) = 1;
     if ((*status) == layout__NOT_CONVERGED)
     {
         (*satisfied) = 0;
         approach = trial__permitted_approach(work, support, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, height);
-        (*status) = side__press_side(tables, work, state, index, approach);
+        (*status) = side__press_side(tables, work, index, approach);
         if ((*status) == layout__VALID)
         {
-            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+            side__load_side(&count, status, tables, work, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
             (*residual) = approach;
             if (brackets__carried_load(work, count) > force)
             {
@@ -232,7 +232,7 @@ static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* sat
  * regions just below it, or just above where those cannot carry the force. Where DEEPEST is too high the
  * height is what it would be with regions as they are there.
  */
-static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
     int64_t support;
     double best;
@@ -245,11 +245,11 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
     best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(force > 0.0))
     {
-        status = trial__balance_side(tables, work, state, index, force, best);
+        status = trial__balance_side(tables, work, index, force, best);
         return status;
     }
     height = best + trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
-    brackets__height_residual(&residual, &satisfied, &status, tables, work, state, index, force, height);
+    brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
     if (status > layout__UNLOADED)
     {
         return status;
@@ -272,12 +272,8 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
         }
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH));
-        height = best + brackets__DEEPER * ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - best);
-        if (height > best + trial__DEEPEST)
-        {
-            height = best + trial__DEEPEST;
-        }
-        brackets__height_residual(&residual, &satisfied, &status, tables, work, state, index, force, height);
+        height = double_min(2, best + brackets__DEEPER * ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - best), best + trial__DEEPEST);
+        brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) = height;
         (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) = residual;
         if (status > layout__UNLOADED)
@@ -288,7 +284,7 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
     for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
     {
         height = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, i);
-        brackets__height_residual(&residual, &satisfied, &status, tables, work, state, index, force, height);
+        brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
         if ((status > layout__UNLOADED) || (fabs(residual) < brackets__BRACKET_SHARP))
         {
             return status;
@@ -299,10 +295,10 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
             break;
         }
     }
-    status = trial__balance_side(tables, work, state, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)));
+    status = trial__balance_side(tables, work, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)));
     if (status == layout__NOT_CONVERGED)
     {
-        status = trial__balance_side(tables, work, state, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)));
+        status = trial__balance_side(tables, work, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)));
     }
     (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
     return status;
@@ -324,25 +320,25 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
  * how much lower the right one carries its load than the left one [m], whether both can carry
  * their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
     int64_t status;
-    if (!trial__turn_to(left_tables, right_tables, work, state, roll))
+    if (!trial__turn_to(left_tables, right_tables, work, roll))
     {
         (*residual) = 0.0;
         (*satisfied) = 0;
         (*result_2) = layout__OFF_PROFILE;
         return 0;
     }
-    (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
+    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
     if (flat == INT64_C(1))
     {
-        brackets__level_residual(residual, satisfied, &status, right_tables, left_tables, work, state, INT64_C(1), right, left);
+        brackets__level_residual(residual, satisfied, &status, right_tables, left_tables, work, INT64_C(1), right, left);
         (*residual) = -(*residual);
     }
     else
     {
-        brackets__level_residual(residual, satisfied, &status, left_tables, right_tables, work, state, INT64_C(0), left, right);
+        brackets__level_residual(residual, satisfied, &status, left_tables, right_tables, work, INT64_C(0), left, right);
     }
     (*result_2) = status;
     return 0;
@@ -351,11 +347,11 @@ static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satis
 /* Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
  * other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, array_double_1d state, int64_t flat, double flat_force, double steep_force)
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
 {
     double height;
     int64_t outcome;
-    (*status) = brackets__bracket_height(flat_tables, work, state, flat, flat_force);
+    (*status) = brackets__bracket_height(flat_tables, work, flat, flat_force);
     if ((*status) > layout__UNLOADED)
     {
         (*residual) = 0.0;
@@ -363,26 +359,23 @@ static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* sati
         return 0;
     }
     height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
-    brackets__height_residual(residual, satisfied, &outcome, steep_tables, work, state, INT64_C(1) - flat, steep_force, height);
+    brackets__height_residual(residual, satisfied, &outcome, steep_tables, work, INT64_C(1) - flat, steep_force, height);
     (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
-    if (outcome > (*status))
-    {
-        (*status) = outcome;
-    }
+    (*status) = int64_t_max(2, (*status), outcome);
     return 0;
 }
 
 /* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
  * NOT_CONVERGED if there is none within ROLL_LIMIT.
  */
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
     double residual;
     bool satisfied;
     int64_t status;
     double reach;
     double value;
-    brackets__roll_residual(&residual, &satisfied, &status, left_tables, right_tables, work, state, roll, left, right, flat);
+    brackets__roll_residual(&residual, &satisfied, &status, left_tables, right_tables, work, roll, left, right, flat);
     if (status > layout__UNLOADED)
     {
         return status;
@@ -403,7 +396,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = roll + reach;
-            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = value;
         }
         else
@@ -411,7 +404,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = roll - reach;
-            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, state, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = value;
         }
         if (status > layout__UNLOADED)
@@ -426,7 +419,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
  * from the rigid ``roll``.
  */
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right)
 {
     int64_t flat;
     double residual;
@@ -435,7 +428,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     double end;
     double other;
     flat = brackets__flatter_side(work);
-    (*status) = brackets__enclose_roll(left_tables, right_tables, work, state, roll, left, right, flat);
+    (*status) = brackets__enclose_roll(left_tables, right_tables, work, roll, left, right, flat);
     if ((*status) > layout__UNLOADED)
     {
         (*result_0) = roll;
@@ -446,7 +439,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
     {
         roll = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
         if ((*status) > layout__UNLOADED)
         {
             (*result_0) = roll;
@@ -469,7 +462,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
         if (roll != end)
         {
             roll = end;
-            brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
+            brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
         }
     }
     if (!satisfied)
@@ -481,7 +474,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
             other = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
         }
         roll = other;
-        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, state, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
     }
     if ((*status) <= layout__UNLOADED)
     {
@@ -507,7 +500,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
  */
 
 /* Both sides of the wheelset at the height and roll of the inputs; the outcome. */
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
 {
     double roll;
     double height;
@@ -523,21 +516,18 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     {
         rubbing__open_given_motion(left_tables, right_tables, work);
     }
-    if (!roll__search_both(work, left_tables, right_tables, state, compliant__follow_starts(left_tables, right_tables, work, state)))
+    if (!roll__search_both(work, left_tables, right_tables, compliant__follow_starts(left_tables, right_tables, work)))
     {
         return layout__OFF_PROFILE;
     }
-    status = compliant__load_at_height(left_tables, work, state, INT64_C(0), height);
-    outcome = compliant__load_at_height(right_tables, work, state, INT64_C(1), height);
-    if (outcome > status)
-    {
-        status = outcome;
-    }
+    status = compliant__load_at_height(left_tables, work, INT64_C(0), height);
+    outcome = compliant__load_at_height(right_tables, work, INT64_C(1), height);
+    status = int64_t_max(2, status, outcome);
     return status;
 }
 
 /* Whether both smallest gaps could be followed from where they are known near the lateral shift. */
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
 {
     int64_t row;
     int64_t start;
@@ -549,10 +539,10 @@ static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, ar
         start = (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_LEFT));
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_RIGHT));
-        known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
+        known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
         if (known)
         {
-            known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+            known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
         }
     }
     return known;
@@ -561,7 +551,7 @@ static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, ar
 /* The load of a side whose wheelset has the vertical shift ``height`` [m]; its
  * outcome, UNLOADED if lifted.
  */
-static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height)
+static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     double approach;
     int64_t status;
@@ -570,17 +560,17 @@ static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, arr
     approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(approach > compliant__GRAZING))
     {
-        result = side__touch_side(tables, work, state, index);
+        result = side__touch_side(tables, work, index);
         return result;
     }
     if (approach > trial__DEEPEST)
     {
         return layout__OFF_PROFILE;
     }
-    status = side__press_side(tables, work, state, index, approach);
+    status = side__press_side(tables, work, index, approach);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        side__load_side(&count, &status, tables, work, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
     if ((status == layout__VALID) && compliant__is_damped(tables))
     {
@@ -608,11 +598,7 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        factor = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch);
-        if (factor < 0.0)
-        {
-            factor = 0.0;
-        }
+        factor = double_max(2, 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
         compliant__damp_patch(work, patch, factor);
     }
     filling__total_patches(work, side);
@@ -662,16 +648,16 @@ static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t p
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
  * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right)
 {
     int64_t status;
     double height;
     double move;
     double rigid_roll;
-    status = trial__estimate_approach(left_tables, work, state, INT64_C(0), left);
+    status = trial__estimate_approach(left_tables, work, INT64_C(0), left);
     if (status == layout__VALID)
     {
-        status = trial__estimate_approach(right_tables, work, state, INT64_C(1), right);
+        status = trial__estimate_approach(right_tables, work, INT64_C(1), right);
     }
     if (status != layout__VALID)
     {
@@ -682,19 +668,19 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     elastic__first_estimate(&height, &move, left_tables, right_tables, work);
     rigid_roll = roll;
     roll += move;
-    if (!trial__turn_near(left_tables, right_tables, work, state, roll))
+    if (!trial__turn_near(left_tables, right_tables, work, roll))
     {
         (*result_0) = roll;
         (*result_1) = layout__OFF_PROFILE;
         return 0;
     }
-    elastic__iterate(&roll, &status, left_tables, right_tables, work, state, roll, height, left, right);
+    elastic__iterate(&roll, &status, left_tables, right_tables, work, roll, height, left, right);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if (status == layout__NOT_CONVERGED)
     {
-        brackets__bracket_roll(&roll, &status, left_tables, right_tables, work, state, rigid_roll, left, right);
+        brackets__bracket_roll(&roll, &status, left_tables, right_tables, work, rigid_roll, left, right);
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -717,7 +703,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
     {
         (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
     }
-    (*move) = pressed__limited((*move), elastic__LONGEST / (*cspan_at(&right_tables, layout__TABLES_ARM)));
+    (*move) = pressed__limited((*move), elastic__LONGEST_MOVE / (*cspan_at(&right_tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
     (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
     return 0;
@@ -726,7 +712,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
 /* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
  * NOT_CONVERGED where it finds nothing.
  */
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right)
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double height, double left, double right)
 {
     double arm;
     int64_t trial;
@@ -765,7 +751,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             }
             /* the same place again, with patches, or with the smaller gap that was found */
         }
-        status = trial__balance_both(left_tables, right_tables, work, state, left, right, height);
+        status = trial__balance_both(left_tables, right_tables, work, left, right, height);
         if (status > layout__UNLOADED)
         {
             (*result_0_0001) = roll;
@@ -785,7 +771,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         }
         if ((fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) < elastic__ELASTIC_SHARP) && (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__ELASTIC_SHARP))
         {
-            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && elastic__gaps_hold(left_tables, right_tables, work, state, roll))
+            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && elastic__gaps_hold(left_tables, right_tables, work, roll))
             {
                 for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
                 {
@@ -798,8 +784,8 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
             (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
         }
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST);
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST_MOVE);
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST_MOVE);
         height += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
         roll += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
         if (!(fabs(roll) < layout__ROLL_LIMIT))
@@ -808,7 +794,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*result_1_0001) = layout__NOT_CONVERGED;
             return 0;
         }
-        if (!trial__turn_near(left_tables, right_tables, work, state, roll))
+        if (!trial__turn_near(left_tables, right_tables, work, roll))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = layout__NOT_CONVERGED;
@@ -824,14 +810,14 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
  *
  * Between trials they are only followed: an answer is certified once.
  */
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
 {
     double left;
     double right;
     bool hold;
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    hold = trial__turn_to(left_tables, right_tables, work, state, roll);
+    hold = trial__turn_to(left_tables, right_tables, work, roll);
     if (((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) != left) || ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) != right))
     {
         hold = 0;
@@ -1136,9 +1122,9 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = found - height;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = 1.0;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__ROOT_WITHIN;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__UNKNOWN;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__FARTHEST;
+    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__ROOT_WITHIN;
     (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__UNKNOWN;
     return INT64_C(0);
 }
@@ -1696,15 +1682,7 @@ static inline double requested__next_load(array_double_1d work, int64_t support,
             slope = secant;
         }
     }
-    following = load - (share - 1.0) / slope;
-    if (following > load * requested__LARGEST_CHANGE)
-    {
-        following = load * requested__LARGEST_CHANGE;
-    }
-    if (following < load / requested__LARGEST_CHANGE)
-    {
-        following = load / requested__LARGEST_CHANGE;
-    }
+    following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * requested__LARGEST_CHANGE), load / requested__LARGEST_CHANGE);
     return following;
 }
 
@@ -1747,10 +1725,10 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
         }
     }
     leaning__set_reference(work, 0.0);
-    first_root__solve_roll(roll, status, work, left_tables, right_tables, state, guess, warm);
+    first_root__solve_roll(roll, status, work, left_tables, right_tables, guess, warm);
     if (((*status) == layout__VALID) && leaning__is_leaning(work))
     {
-        rigid__find_leaning_roll(roll, status, left_tables, right_tables, work, state, (*roll));
+        rigid__find_leaning_roll(roll, status, left_tables, right_tables, work, (*roll));
     }
     return 0;
 }
@@ -1758,7 +1736,7 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
 /* Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
  * on: both are sought together with the vertical shift.
  */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
 {
     int64_t i;
     double height;
@@ -1768,7 +1746,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
     {
         height = leaning__next_reference(work, leaning__RIGID_MET);
         leaning__set_reference(work, height);
-        first_root__solve_roll(&roll, &status, work, left_tables, right_tables, state, roll, 1);
+        first_root__solve_roll(&roll, &status, work, left_tables, right_tables, roll, 1);
         if (status != layout__VALID)
         {
             (*result_0_0001) = roll;
@@ -1788,7 +1766,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
 }
 
 /* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
-static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
 {
     int64_t outcome;
     int64_t status;
@@ -1799,15 +1777,12 @@ static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_doub
     side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
     if (requested__is_requested(right_tables, INT64_C(0)))
     {
-        status = side__solve_side(left_tables, work, state, INT64_C(0), requested__side_force(work, INT64_C(0)));
+        status = side__solve_side(left_tables, work, INT64_C(0), requested__side_force(work, INT64_C(0)));
     }
     if (requested__is_requested(right_tables, INT64_C(1)))
     {
-        outcome = side__solve_side(right_tables, work, state, INT64_C(1), requested__side_force(work, INT64_C(1)));
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        outcome = side__solve_side(right_tables, work, INT64_C(1), requested__side_force(work, INT64_C(1)));
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }
@@ -1856,7 +1831,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, ar
 /* Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
  * velocity and roll rate are given, otherwise they follow from contact with both rails.
  */
-static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
 {
     int64_t index;
     int64_t side;
@@ -1870,8 +1845,8 @@ static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_d
     rubbing__open_given_motion(left_tables, right_tables, work);
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
-        rubbing__constrain_side(left_tables, work, state, INT64_C(0));
-        rubbing__constrain_side(right_tables, work, state, INT64_C(1));
+        rubbing__constrain_side(left_tables, work, INT64_C(0));
+        rubbing__constrain_side(right_tables, work, INT64_C(1));
         motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -1894,7 +1869,7 @@ static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_d
 /* What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
  * elastic and carries a load.
  */
-static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -1907,7 +1882,7 @@ static inline int64_t rubbing__constrain_side(array_double_1d tables, array_doub
     {
         if (!requested__is_requested(tables, index))
         {
-            side__touch_side(tables, work, state, index);
+            side__touch_side(tables, work, index);
         }
         motion__constrain_touching(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
     }
@@ -2115,7 +2090,7 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
  * Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
  * folded.
  */
-static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
+static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift)
 {
     int64_t place;
     int64_t point;
@@ -2163,7 +2138,7 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
         (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    frame__measure_contact(work, tables, state);
+    frame__measure_contact(work, tables);
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
@@ -2205,7 +2180,7 @@ static inline int64_t side__clear_side(array_double_1d work, int64_t side)
 /* Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
  * regions and outcome.
  */
-static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed)
+static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed)
 {
     int64_t side;
     double penetration;
@@ -2213,7 +2188,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     int64_t number_end;
     int64_t number;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, state, side, force, prescribed);
+    normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, side, force, prescribed);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
     if ((!satisfied) && ((*count) == INT64_C(0)))
     {
@@ -2250,14 +2225,14 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
 /* Describe the side whose wheel just touches, with the vertical shift of its smallest
  * gap; its outcome, UNLOADED.
  */
-static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
     int64_t side;
     int64_t status;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     side__clear_side(work, side);
     status = layout__UNLOADED;
-    if (!side__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))))
+    if (!side__describe_contact(tables, work, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))))
     {
         status = layout__OFF_PROFILE;
     }
@@ -2265,13 +2240,13 @@ static inline int64_t side__touch_side(array_double_1d tables, array_double_1d w
 }
 
 /* Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome. */
-static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
     double penetration;
     double pressed;
     int64_t count;
     int64_t status;
-    status = side__touch_side(tables, work, state, index);
+    status = side__touch_side(tables, work, index);
     if (status == layout__UNLOADED)
     {
         penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
@@ -2285,7 +2260,7 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
             status = layout__VALID;
             if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
             {
-                side__load_side(&count, &status, tables, work, state, index, force, penetration);
+                side__load_side(&count, &status, tables, work, index, force, penetration);
             }
         }
     }
@@ -2295,7 +2270,7 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
 /* Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
  * rail most; its outcome.
  */
-static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach)
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach)
 {
     int64_t side;
     double height;
@@ -2305,14 +2280,14 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     side__clear_side(work, side);
-    if (side__find_points(work, tables, state, side, index, height) == INT64_C(0))
+    if (side__find_points(work, tables, side, index, height) == INT64_C(0))
     {
         /* it overlaps most at the end of a profile */
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     pressed_regions__touching_shift(&aside, &shift, work, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
-    side__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
+    side__describe_contact(tables, work, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
     pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
     return layout__VALID;
 }
@@ -2320,7 +2295,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
 /* List the deepest points of a wheel moved down by ``height`` [m]; how many.  Those of the last search
  * are followed where the contact's ``following`` permits it.
  */
-static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t index, double height)
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height)
 {
     int64_t kept;
     int64_t count;
@@ -2332,7 +2307,7 @@ static inline int64_t side__find_points(array_double_1d work, array_double_1d ta
     }
     if (count == INT64_C(0))
     {
-        count = overlaps__find_overlaps(work, tables, side, state, height);
+        count = overlaps__find_overlaps(work, tables, side, height);
     }
     deep_points__keep_points(work, kept);
     return count;
@@ -2433,7 +2408,7 @@ static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_do
     status = step__stand(left_tables, right_tables, work, state);
     if (status <= layout__UNLOADED)
     {
-        rubbing__move_patches(left_tables, right_tables, work, state);
+        rubbing__move_patches(left_tables, right_tables, work);
         rubbing__rub_patches(left_tables, right_tables, work);
         forces__sum_forces(right_tables, work);
     }
@@ -2450,7 +2425,7 @@ static inline int64_t step__stand(array_double_1d left_tables, array_double_1d r
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT)
     {
-        status = compliant__solve_compliant(left_tables, right_tables, work, state);
+        status = compliant__solve_compliant(left_tables, right_tables, work);
         return status;
     }
     rigid__find_roll(&roll, &status, left_tables, right_tables, work, state);
@@ -2460,7 +2435,7 @@ static inline int64_t step__stand(array_double_1d left_tables, array_double_1d r
     }
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_RIGID)
     {
-        status = rigid__solve_rigid(left_tables, right_tables, work, state, roll);
+        status = rigid__solve_rigid(left_tables, right_tables, work, roll);
     }
     if (status <= layout__UNLOADED)
     {
@@ -2468,20 +2443,20 @@ static inline int64_t step__stand(array_double_1d left_tables, array_double_1d r
     }
     if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC)
     {
-        status = step__elastic_from_rigid(left_tables, right_tables, work, state, roll);
+        status = step__elastic_from_rigid(left_tables, right_tables, work, roll);
     }
     return status;
 }
 
 /* Elastic contact: the height and roll at which both wheels carry their loads; the outcome. */
-static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll)
+static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll)
 {
     double roll;
     int64_t status;
-    elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, state, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+    elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
     if ((status <= layout__UNLOADED) && leaning__is_leaning(work))
     {
-        step__meet_leaning(&roll, &status, left_tables, right_tables, work, state, rigid_roll);
+        step__meet_leaning(&roll, &status, left_tables, right_tables, work, rigid_roll);
     }
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = step__support_height(work);
@@ -2499,7 +2474,7 @@ static inline double step__support_height(array_double_1d work)
 /* Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
  * shift; the equilibrium for the rigid height as reference is known.
  */
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double rigid_roll)
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll)
 {
     double roll;
     int64_t i;
@@ -2512,13 +2487,13 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
         height = leaning__next_reference(work, leaning__ELASTIC_MET);
         leaning__set_reference(work, height);
         roll__place_both(work, left_tables, right_tables, rigid_roll);
-        if (!trial__turn_to(left_tables, right_tables, work, state, rigid_roll))
+        if (!trial__turn_to(left_tables, right_tables, work, rigid_roll))
         {
             (*result_0) = roll;
             (*result_1_0001) = layout__OFF_PROFILE;
             return 0;
         }
-        elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, state, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+        elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
         if (status > layout__UNLOADED)
         {
             (*result_0) = roll;
@@ -2608,19 +2583,19 @@ static inline int64_t step__step_many(int64_t count, array_double_1d left_tables
  */
 
 /* Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome. */
-static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
     int64_t support;
     int64_t status;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-    status = side__touch_side(tables, work, state, index);
+    status = side__touch_side(tables, work, index);
     (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = 0.0;
     if (status == layout__UNLOADED)
     {
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(work, tables, state, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(work, tables, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         }
     }
     return status;
@@ -2632,22 +2607,14 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height)
 {
     double approach;
-    approach = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if (approach < trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH)))
-    {
-        approach = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
-    }
-    if (approach > trial__DEEPEST)
-    {
-        approach = trial__DEEPEST;
-    }
+    approach = double_min(2, double_max(2, height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH))), trial__DEEPEST);
     return approach;
 }
 
 /* Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
  * [m]; its outcome. Patches are those of the side under this force.
  */
-static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
+static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
     int64_t support;
     int64_t side;
@@ -2661,14 +2628,14 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
     {
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, INT64_C(0));
-        status = side__touch_side(tables, work, state, index);
+        status = side__touch_side(tables, work, index);
         return status;
     }
     approach = trial__permitted_approach(work, support, side, height);
-    status = side__press_side(tables, work, state, index, approach);
+    status = side__press_side(tables, work, index, approach);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, state, index, force, (*cspan_at(&tables, layout__TABLES_ABSENT)));
+        side__load_side(&count, &status, tables, work, index, force, (*cspan_at(&tables, layout__TABLES_ABSENT)));
         carried = approach + ((*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
@@ -2677,19 +2644,16 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
 }
 
 /* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double left, double right, double height)
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double left, double right, double height)
 {
     int64_t outcome;
     int64_t status;
-    (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-    status = trial__balance_side(left_tables, work, state, INT64_C(0), left, height);
+    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
+    status = trial__balance_side(left_tables, work, INT64_C(0), left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = trial__balance_side(right_tables, work, state, INT64_C(1), right, height);
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        outcome = trial__balance_side(right_tables, work, INT64_C(1), right, height);
+        status = int64_t_max(2, status, outcome);
     }
     return status;
 }
@@ -2697,17 +2661,17 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, arra
 /* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; whether both wheels are
  * above their rails.
  */
-static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
 {
     bool known;
     bool result;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
+    known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
     }
-    result = roll__search_both(work, left_tables, right_tables, state, known);
+    result = roll__search_both(work, left_tables, right_tables, known);
     return result;
 }
 
@@ -2715,18 +2679,18 @@ static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double
  * be followed; whether both wheels are above their rails.  Whether there is a smaller gap is left
  * open.
  */
-static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
 {
     bool known;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, left_tables, layout__WORK_SIDES, state);
+    known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state);
+        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
     }
     if (!known)
     {
-        known = roll__search_both(work, left_tables, right_tables, state, 0);
+        known = roll__search_both(work, left_tables, right_tables, 0);
     }
     return known;
 }

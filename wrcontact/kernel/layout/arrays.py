@@ -83,20 +83,14 @@ class Reference:
 
 @record
 class State:
-    """What one step leaves for the next, and counters; the head of its array."""
+    """What one step leaves for the next; the head of its array."""
 
     array = "state"
     roll: float                     # last valid roll [rad]
     warm: bool                      # whether there is one
-    gap_count: float                # evaluations of the vertical gap since the state was cleared
-    scan_count: float               # searches of one side
-    roll_count: float               # iterations of the search for roll or equilibrium
-    node_count: float               # evaluations of the normal gap
-    solve_count: float              # iterations of the force solve
     y_left: float                   # wheel abscissae of the last contacts [m]
     y_right: float
     shift: float                    # and the lateral shift [m]
-    strip_count: float              # systems of strips solved
 
 
 @record

@@ -104,6 +104,10 @@ class Place:
     track_sin_yaw: float            # of the wheelset's yaw in the track
     track_cos_yaw: float
     reference: float                # the vertical shift for which the place holds [m]
+    gap_count: float                # evaluations of its vertical gap since the workspace was made
+    node_count: float               # and of the gap along a normal
+    gap_count: float                # evaluations of its vertical gap since the workspace was made
+    node_count: float               # and of the gap along a normal
 
 
 PLACE_SIZE: Final[int] = size(Place)
@@ -210,6 +214,8 @@ class Region:
     inclination: float              # slope of the rail at its minimum [-]
     x_track: float                  # track coordinate x of the minimum [m]
     strip: int                      # the strip of the solved patches at its minimum
+    solve_count: float              # of the first region: iterations of the force solve
+    solve_count: float              # of the first region: iterations of the force solve
 
 
 REGION_SIZE: Final[int] = size(Region)

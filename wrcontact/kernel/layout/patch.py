@@ -231,6 +231,7 @@ class StripProblem:
     penetration: float              # for which the strips are laid [m]
     count: int                      # strips of all regions, in the order of stations
     cell_count: int
+    strip_count: float              # systems solved
     zones: StripZone * REGION_LIMIT
     cells: StripCell * STRIP_LIMIT
     strips: Strips

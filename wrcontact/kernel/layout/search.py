@@ -10,8 +10,6 @@ from .contact import Place
 
 SCAN_LIMIT: Final[int] = 400         # nodes of the raster over a wheel
 EXPONENTS: Final[int] = 6            # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster
-# further minima that are listed to either side of the smallest gap; two or three occur
-CANDIDATES: Final[int] = 16
 # parts of a cell that wait to be searched; 1 mm is halved down to 2 um 9 times
 STACK_LIMIT: Final[int] = 52
 TRIAL_LIMIT: Final[int] = 60   # rolls kept at a time on the way to the first root
@@ -76,14 +74,6 @@ class Cell:
 
 
 @record
-class Candidate:
-    """A local minimum of the gap."""
-
-    y: float                         # wheel abscissa [m]
-    rail: float                      # its abscissa on the rail [m]
-
-
-@record
 class ContactPoint:
     """Where a wheel touches or overlaps its rail most, in the frames of wheel, rail and track."""
 
@@ -109,10 +99,8 @@ class SideSearch:
     best: float                      # smallest gap found [m]
     best_y: float                    # its wheel abscissa [m]
     best_rail: float                 # and its abscissa on the rail [m], while the roll is sought
-    reach: float                     # gap below which further minima are listed [m]
-    first: int                       # first and last of them in ``candidates``, by rising abscissa
-    last: int
-    candidates: Candidate * (2 * CANDIDATES)
+    scan_count: float                # searches of it for a smaller gap
+    roll_count: float                # turns of the search for roll or equilibrium, counted on the right side
     stack: Cell * STACK_LIMIT
     point: ContactPoint
     penetration: float               # approach of the two bodies along the normal [m]

@@ -75,8 +75,7 @@ int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, dou
     {
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        const bool reported = derivative_wheelset_rules__differentiate_t(handle->left_tables, handle->right_tables, work, work_t,
-                                                                      state) == 0;
+        const bool reported = derivative_wheelset_rules__differentiate_t(handle->left_tables, handle->right_tables, work, work_t) == 0;
         memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
         if (!reported || !all_finite(rates, outputs.shape[0]))
             difference(&own, handle, seed, rates);

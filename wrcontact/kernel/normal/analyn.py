@@ -17,7 +17,7 @@ counts by its share along each normal, and a displacement by the cosine of the a
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..layout import Nodes, NodesOfRegions, Region, Regions, State, Tables
+from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables
 from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 
 #: Share of the squares of two regions' half-lengths that counts as distance between them.
@@ -29,7 +29,7 @@ FORCE_ITERATIONS: Final[int] = 60
 #: The force is satisfied to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
 #: Change of the load, relative, that tells the slope; and how far that may be from the slope's own estimate.
-ROUNDING: Final[float] = 1e-10
+LOAD_ROUNDING: Final[float] = 1e-10
 SLOPE_ERROR: Final[float] = 0.1
 #: Missed by less, relative, the force is satisfied by one more move, Newton's method squaring what is missed.
 NEARLY_SHARP: Final[float] = 1e-9
@@ -75,9 +75,7 @@ def planes_cosine(one: Region, other: Region):
     """Cosine of the angle between the planes of two regions [-]; 1 in one plane, not below 0."""
     cosine = 1.0
     if one.own or other.own:
-        cosine = one.cos * other.cos + one.sin * other.sin
-        if cosine < 0.0:
-            cosine = 0.0
+        cosine = max(one.cos * other.cos + one.sin * other.sin, 0.0)
     return cosine
 
 
@@ -86,10 +84,7 @@ def clip_to_bound(region: Region, k: int, outward: int, stop: float):
     reach = (region.high - region.station) / region.spacing - float(k)
     if outward < 0:
         reach = (region.station - region.low) / region.spacing + float(k)
-    if reach < stop:
-        stop = reach
-    if stop < 0.0:
-        stop = 0.0
+    stop = max(min(stop, reach), 0.0)
     return stop
 
 
@@ -144,8 +139,8 @@ def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
     return total
 
 
-def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int,
-                 force: float, penetration: float, prescribed: bool):
+def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, count: int, force: float,
+                       penetration: float, prescribed: bool):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
     Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
     value: whether the force is satisfied.
@@ -159,10 +154,10 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
     slope_before = 0.0
     move = 0.0
     for iteration in range(FORCE_ITERATIONS):
-        state.solve_count += 1.0
+        regions[0].solve_count += 1.0
         total = load_regions(regions, nodes, count)
         residual, slope, rest = penetration_residuals(tables, regions, count, penetration)
-        if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
+        if count == 1 and iteration > 0 and fabs(total - total_before) > LOAD_ROUNDING * force:
             # the change of the load that the slopes of both ends predict for the last move, against the real
             # one
             share = (total - total_before) / (0.5 * (slope_before + slope) * move)
@@ -230,8 +225,7 @@ def penetration_residuals(tables: Tables, regions: Regions, count: int, penetrat
         region.residual = residual
         region.slope = turn
         region.move = residual
-        if fabs(residual) > largest:
-            largest = fabs(residual)
+        largest = max(largest, fabs(residual))
     sweeps = 12
     if count == 1:
         sweeps = 0

@@ -34,7 +34,7 @@ from ..surface.tables import table_cell
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
-STEEPEST: Final[float] = 0.3
+STEEPEST_SLANT: Final[float] = 0.3
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case
 #: on treads.
 FLOOR: Final[float] = 0.02
@@ -68,10 +68,10 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
     pressure.  Exact for constant curvatures.
 
     Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
-    a patch's edge: A slant^2 counts as STEEPEST B at most.
+    a patch's edge: A slant^2 counts as STEEPEST_SLANT B at most.
     """
-    if A * slant * slant > STEEPEST * B:
-        slant = sqrt(STEEPEST * B / A)
+    if A * slant * slant > STEEPEST_SLANT * B:
+        slant = sqrt(STEEPEST_SLANT * B / A)
     cross = A * slant
     diagonal = B + cross * slant
     half = 0.5 * (A - diagonal)
@@ -93,8 +93,8 @@ def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
 def middle_slant(table: HertzTable, A: float, B: float, slant: float):
     """dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
     ``slant``; steep ones are taken as there."""
-    if A * slant * slant > STEEPEST * B:
-        slant = sqrt(STEEPEST * B / A) * slant / fabs(slant)
+    if A * slant * slant > STEEPEST_SLANT * B:
+        slant = sqrt(STEEPEST_SLANT * B / A) * slant / fabs(slant)
     cross = A * slant
     diagonal = B + cross * slant
     half = 0.5 * (A - diagonal)
@@ -111,13 +111,12 @@ def middle_slant(table: HertzTable, A: float, B: float, slant: float):
     return cross * (across - along) / ((large - small) * length)
 
 
-def hertz_stiffness(table: HertzTable, A: float, B: float, contact_modulus: float):
-    """N / penetration^(3/2) [N/m^1.5].
+def hertz_stiffness(one_beta: float, nr: float, B: float, contact_modulus: float):
+    """N / penetration^(3/2) [N/m^1.5], from 1 + beta and n r.
 
     N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
     closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
     """
-    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B))
 
 
@@ -142,8 +141,7 @@ def secant_curvature(gaps: NodeRun, k: int, spacing: float, window: int, middle:
 
 def windowed_curvature(averaged: float, secant: float, share: float):
     """sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s."""
-    if averaged < WINDOW_FLOOR * secant:
-        averaged = WINDOW_FLOOR * secant
+    averaged = max(averaged, WINDOW_FLOOR * secant)
     grown = secant
     if averaged > secant:
         grown += GROWTH * share * (averaged - secant)
@@ -155,20 +153,13 @@ def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, midd
     """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
     window; none below ``least``."""
     spacing = region.spacing
-    secant = secant_curvature(gaps, k, spacing, window, middle)
-    if secant < least:
-        secant = least
-    share = fabs(float(k)) * spacing / mean
-    if share > 1.0:
-        share = 1.0
-    B = windowed_curvature(second_difference(gaps, k, spacing, window), secant, share)
-    if B < least:
-        B = least
+    secant = max(secant_curvature(gaps, k, spacing, window, middle), least)
+    share = min(fabs(float(k)) * spacing / mean, 1.0)
+    B = max(windowed_curvature(second_difference(gaps, k, spacing, window), secant, share), least)
     side = region.side_high
     if k < 0:
         side = region.side_low
-    if side < least:
-        side = least
+    side = max(side, least)
     return secant, side, B
 
 
@@ -184,16 +175,12 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     if yawed:
         alpha_factor, beta_factor, nr_factor = skew_factors(tables, region, nodes.A[0])
     mean = 0.5 * (region.width_low + region.width_high)
-    middle = second_difference(nodes.gap, 0, region.spacing, window)
-    if middle < 0.0:
-        middle = 0.0
+    middle = max(second_difference(nodes.gap, 0, region.spacing, window), 0.0)
     for k in range(region.first, region.last + 1):
         A = nodes.A[k]
         least = FLOOR * A
         if prepared:
-            B = nodes.B[k]
-            if B < least:
-                B = least
+            B = max(nodes.B[k], least)
             secant = B
             side = B
         else:
@@ -215,9 +202,7 @@ def skew_factors(tables: Tables, region: Region, A: float):
     """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
     ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum."""
     table = tables.hertz
-    B = 0.5 * (region.side_low + region.side_high)
-    if B < FLOOR * A:
-        B = FLOOR * A
+    B = max(0.5 * (region.side_low + region.side_high), FLOOR * A)
     alpha, beta, nr = hertz_coefficients(table, A, B)
     skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
     return skewed_alpha / alpha, skewed_beta / beta, skewed_nr / nr

@@ -16,7 +16,7 @@ from ..contact.traces import start_traces
 from ..contact.widths import measure_widths
 from ..layout import (LATERAL_ADAPTIVE, LOAD_VERTICAL, NODE_LIMIT, NODE_MIDDLE, RAIL,
                       SEPARATION_EQUIDISTANT_CHORD, SEPARATION_VERTICAL, WHEEL, Contact, Frame, NodeRun,
-                      Nodes, NodesOfRegions, Region, Regions, State, Tables)
+                      Nodes, NodesOfRegions, Region, Regions, Tables)
 from ..surface.curvature import relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
@@ -41,7 +41,7 @@ SPREAD: Final[float] = 1.25
 #: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
 #: nearly closes.
 NARROWEST: Final[float] = 0.01
-WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
+NODE_ROOM: Final[float] = 110.0         # nodes that a region has room for on one side
 
 
 def window_nodes(tables: Tables):
@@ -67,13 +67,11 @@ def node_stride(tables: Tables):
 
 def trace_tolerance(spacing: float):
     """To what the abscissae of nodes with this ``spacing`` are traced [m]."""
-    tolerance = TRACE_SHARE * spacing
-    if tolerance > COARSEST_TRACE:
-        tolerance = COARSEST_TRACE
+    tolerance = min(TRACE_SHARE * spacing, COARSEST_TRACE)
     return tolerance
 
 
-def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, low_reach: float,
+def lay_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, low_reach: float,
               high_reach: float):
     """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
     on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
@@ -84,7 +82,7 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     """
     start_traces(contact.frame, region.station, region.rail, region.wheel)
     open_origin(tables, contact.frame, contact.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, region.station,
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, region.station,
                                             trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
@@ -92,9 +90,9 @@ def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, no
     if tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
                                         contact.frame.traces[RAIL].abscissa)
-    before = lay_side_nodes(tables, contact, state, region, nodes, -1, low_reach, rate)
+    before = lay_side_nodes(tables, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
-    after = lay_side_nodes(tables, contact, state, region, nodes, 1, high_reach, rate)
+    after = lay_side_nodes(tables, contact, region, nodes, 1, high_reach, rate)
     region.last = after
 
 
@@ -117,11 +115,11 @@ def bring_nearer(region: Region, nodes: Nodes):
             nodes.gap[k] -= level * (1.0 / nodes.turn[k] - 1.0)
 
 
-def trace_node(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, at: int):
+def trace_node(tables: Tables, contact: Contact, region: Region, nodes: Nodes, at: int):
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, station,
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, station,
                                             trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
@@ -133,8 +131,8 @@ def trace_node(tables: Tables, contact: Contact, state: State, region: Region, n
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
-                   direction: int, reach: float, rate: float):
+def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, direction: int,
+                   reach: float, rate: float):
     """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
     risen above ``reach`` [m] or the bound is passed.
 
@@ -152,13 +150,12 @@ def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Regio
     ended = False
     while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
         if k == traced and not ended:
-            gap, next_rate = trace_node(tables, contact, state, region, nodes, direction * (traced + step))
+            gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
                 start_traces(contact.frame, region.station, region.rail, region.wheel)
-                gap, next_rate = trace_node(tables, contact, state, region, nodes,
-                                            direction * (traced + step))
+                gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
@@ -214,9 +211,7 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
     for i in range(1, count):
         x = float(i) / float(count)
         rest = 1.0 - x
-        gap = low + x * (rise + rest * (rest * forward - x * backward))
-        if gap < 0.0:
-            gap = 0.0
+        gap = max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0)
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
@@ -249,8 +244,7 @@ def zone_share(tables: Tables, A: float, side: float):
     """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
     ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
     curvatures 1 + beta may fall to 1."""
-    if side < FLOOR * A:
-        side = FLOOR * A
+    side = max(side, FLOOR * A)
     share = SPREAD / table_value(tables.hertz, 0, log(A / side))
     if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
@@ -261,31 +255,27 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
     for so many."""
     mean = 0.5 * (region.width_low + region.width_high)
-    widest = region.width_low
-    if region.width_high > widest:
-        widest = region.width_high
+    widest = max(region.width_low, region.width_high)
     least = NARROWEST * sqrt(region.local_penetration / region.curvature)
-    if mean < least:
-        mean = least
+    mean = max(mean, least)
     spacing = mean / tables.nodes
-    if widest * enlarge > WIDEST * spacing:
-        spacing = widest * enlarge / WIDEST
+    if widest * enlarge > NODE_ROOM * spacing:
+        spacing = widest * enlarge / NODE_ROOM
     return spacing
 
 
-def prepare_regions(tables: Tables, contact: Contact, state: State, count: int, enlarge: float):
+def prepare_regions(tables: Tables, contact: Contact, count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``."""
     for i in range(count):
         region = contact.regions[i]
         enter_plane(contact.frame, contact.frames, contact.regions[i], i)
-        measure_widths(tables, contact, state, region, MEASURED * region.local_penetration)
+        measure_widths(tables, contact, region, MEASURED * region.local_penetration)
         region.spacing = node_spacing(tables, region, enlarge)
-        prepare_nodes(tables, contact, state, region, contact.nodes[i], enlarge)
+        prepare_nodes(tables, contact, region, contact.nodes[i], enlarge)
         leave_plane(contact.frame, contact.frames, contact.regions[i])
 
 
-def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
-                  enlarge: float):
+def prepare_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local
     penetration times ``enlarge``."""
     yawed = is_yawed(contact.frame)
@@ -295,7 +285,7 @@ def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region
     high_reach = reach * zone_share(tables, A, region.side_high)
     if contact.frame.pressed and yawed:
         contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
-    lay_nodes(tables, contact, state, region, nodes, low_reach, high_reach)
+    lay_nodes(tables, contact, region, nodes, low_reach, high_reach)
     bring_nearer(region, nodes)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
     if contact.frame.pressed or tables.load == LOAD_VERTICAL:

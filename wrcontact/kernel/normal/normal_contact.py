@@ -9,8 +9,7 @@ Hertz's stands here: one elliptic patch in closed form, with the curvatures at t
 from math import isfinite, pi, sqrt
 
 from ..contact.frame import locate_along_track
-from ..layout import (MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, State,
-                      Tables)
+from ..layout import MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, Tables
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from .analyn_contact import analyn_contact
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
@@ -28,10 +27,9 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     point = side.point
     table = tables.hertz
     A = 0.5 * point.curvature_x
-    B = 0.5 * point.curvature_y
-    if not B > FLOOR * A:
-        B = FLOOR * A
-    stiffness = hertz_stiffness(table, A, B, tables.contact_modulus)
+    B = max(FLOOR * A, 0.5 * point.curvature_y)
+    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
+    stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
         penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
@@ -41,7 +39,6 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     region.moment = 0.0
     region.slant = 0.0
     region.local_penetration = penetration
-    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
     clear_patches(side)
@@ -57,8 +54,7 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     return penetration, 1, True
 
 
-def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
-                 prescribed: float):
+def solve_normal(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
     [m] if that is a number.
 
@@ -68,11 +64,11 @@ def solve_normal(tables: Tables, contact: Contact, state: State, side: SideSearc
     if model == MODEL_HERTZ:
         penetration, count, satisfied = hertz_contact(tables, contact, side, force, prescribed)
     elif model == MODEL_ANALYN:
-        penetration, count, satisfied = analyn_contact(tables, contact, state, side, force, prescribed)
+        penetration, count, satisfied = analyn_contact(tables, contact, side, force, prescribed)
     elif contact.coarse:
-        penetration, count, satisfied = coarse_contact(tables, contact, state, force)
+        penetration, count, satisfied = coarse_contact(tables, contact, force)
     else:
-        penetration, count, satisfied = strip_contact(tables, contact, state, side, force, prescribed)
+        penetration, count, satisfied = strip_contact(tables, contact, side, force, prescribed)
     return penetration, count, satisfied
 
 

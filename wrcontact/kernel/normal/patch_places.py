@@ -58,8 +58,7 @@ def place_patches(tables: Tables, contact: Contact, side: SideSearch):
             if patch.loads[number] != 0.0:
                 region = contact.regions[number]
                 local = region.alignment * side.penetration - region.gap
-                if local > patch.penetration:
-                    patch.penetration = local
+                patch.penetration = max(patch.penetration, local)
                 place_load(tables, contact.frame, region, patch, number)
         close_place(patch)
 

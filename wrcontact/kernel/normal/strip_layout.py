@@ -62,8 +62,7 @@ def strip_cells(problem: StripProblem):
     count = problem.count
     largest = 0.0
     for i in range(count):
-        if strips[i].pressure > largest:
-            largest = strips[i].pressure
+        largest = max(largest, strips[i].pressure)
     width = 0.0
     change = 0.0
     for i in range(count):
@@ -89,14 +88,10 @@ def loaded_share(strips: Strips, count: int, i: int, largest: float):
     """How far strip ``i`` counts as loaded, where the ``largest`` pressure is given [Pa]."""
     pressure = strips[i].pressure
     if i > 0 and strips[i - 1].joined:
-        if strips[i - 1].pressure > pressure:
-            pressure = strips[i - 1].pressure
+        pressure = max(pressure, strips[i - 1].pressure)
     if i < count - 1 and strips[i].joined:
-        if strips[i + 1].pressure > pressure:
-            pressure = strips[i + 1].pressure
-    share = pressure / (LOADED * largest)
-    if share > 1.0:
-        share = 1.0
+        pressure = max(pressure, strips[i + 1].pressure)
+    share = min(pressure / (LOADED * largest), 1.0)
     return share
 
 
@@ -129,11 +124,7 @@ def divide_cells(problem: StripProblem, regions: Regions, region_count: int, wan
     while first < problem.cell_count:
         last, weight = run_of_cells(problem, first)
         if weight > 0.0:
-            number = int(weight / each + 0.5)
-            if number < FEWEST:
-                number = FEWEST
-            if number > STRIP_LIMIT - made:
-                number = STRIP_LIMIT - made
+            number = min(max(int(weight / each + 0.5), FEWEST), STRIP_LIMIT - made)
             cut_run(problem, first, made, number, weight)
             made += number
         first = last + 1
@@ -213,11 +204,7 @@ def length_before(problem: StripProblem):
         share = 0.0
         reach = cell_middle(cells[after]) - cell_middle(cells[index])
         if reach > 0.0:
-            share = (strip.station - cell_middle(cells[index])) / reach
-            if share < 0.0:
-                share = 0.0
-            if share > 1.0:
-                share = 1.0
+            share = min(max((strip.station - cell_middle(cells[index])) / reach, 0.0), 1.0)
         rest = 1.0 - share
         strip.half_length = rest * cells[index].half_length + share * cells[after].half_length
         strip.lead = rest * cells[index].lead + share * cells[after].lead

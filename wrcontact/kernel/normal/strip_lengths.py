@@ -53,17 +53,10 @@ def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetrat
         back = end_displacement(table, problem, i, -away)
         back_gap = gap_beside(strip, strip.lead - away) - own
         move = -MOVED * (front + front_gap - back - back_gap) / (4.0 * strip.A * away)
-        if move > FARTHEST_MOVE * half:
-            move = FARTHEST_MOVE * half
-        if move < -FARTHEST_MOVE * half:
-            move = -FARTHEST_MOVE * half
+        move = max(min(move, FARTHEST_MOVE * half), -FARTHEST_MOVE * half)
         strip.next_lead = strip.lead + move
-    rise = 0.5 * (front_gap + back_gap)
-    if rise < FLATTEST * strip.A * away * away:
-        rise = FLATTEST * strip.A * away * away
-    ratio = (needed - 0.5 * (front + back)) / rise
-    if not ratio > 0.0:
-        ratio = 0.0
+    rise = max(0.5 * (front_gap + back_gap), FLATTEST * strip.A * away * away)
+    ratio = max(0.0, (needed - 0.5 * (front + back)) / rise)
     return half * corrected(ratio, power)
 
 
@@ -87,8 +80,7 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, p
             strip.line_load = scale * strip.half_length * strip.y / strip.width
             strip.half_length_square = half * half
             strip.pressure = strip.y / strip.breadth
-            if strip.pressure > largest:
-                largest = strip.pressure
+            largest = max(largest, strip.pressure)
     for i in range(count):
         strip = strips[i]
         share = strip.pressure / (LIGHT * largest)
@@ -136,11 +128,7 @@ def limit_lengths(strips: Strips, count: int):
     """Raise half-lengths to their smallest."""
     longest = 0.0
     for i in range(count):
-        if strips[i].half_length > longest:
-            longest = strips[i].half_length
+        longest = max(longest, strips[i].half_length)
     for i in range(count):
         strip = strips[i]
-        if strip.half_length < SHORTEST * longest:
-            strip.half_length = SHORTEST * longest
-        if strip.half_length < SQUARE * strip.width:
-            strip.half_length = SQUARE * strip.width
+        strip.half_length = max(max(strip.half_length, SHORTEST * longest), SQUARE * strip.width)

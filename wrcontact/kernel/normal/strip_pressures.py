@@ -11,7 +11,7 @@ from math import fabs, pi, sqrt
 from typing import Final
 
 from ..layout import (INFLUENCE_CELLS, INFLUENCE_COLUMN, INFLUENCE_COLUMNS, INFLUENCE_MAP, Equations,
-                      InfluenceTable, State, Strip, StripProblem, Tables)
+                      InfluenceTable, Strip, StripProblem, Tables)
 
 #: All wrong strips are exchanged at once in so many rounds, then one strip in each round, which cannot go in
 #: circles.
@@ -70,9 +70,7 @@ def apartness(x: float, half_length: float):
 
 def cell_at(place: float, count: int):
     """The cell that holds ``place``, 0 ... ``count``; the last one has its end too."""
-    cell = int(place)
-    if cell > count - 1:
-        cell = count - 1
+    cell = min(int(place), count - 1)
     return cell
 
 
@@ -107,9 +105,7 @@ def middle_influence(table: InfluenceTable, first: int, u: float):
 def mean_at(table: InfluenceTable, strip: Strip, distance: float, v: float):
     """The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]."""
     half = 0.5 * strip.breadth
-    near = distance - half
-    if near < 0.0:
-        near = 0.0
+    near = max(distance - half, 0.0)
     far = distance + half
     inner = influence_at(table, INFLUENCE_MAP, nearness(near, strip.half_length), v)
     outer = influence_at(table, INFLUENCE_MAP, nearness(far, strip.half_length), v)
@@ -201,13 +197,13 @@ def end_displacement(table: InfluenceTable, problem: StripProblem, i: int, away:
     return total
 
 
-def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, state: State, force: float,
+def solve_pressures(problem: StripProblem, equations: Equations, tables: Tables, force: float,
                     by_penetration: bool, yawed: bool):
     """y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
     ``by_penetration``; the penetration [m], and whether found."""
     penetration = problem.penetration
     for exchange in range(EXCHANGE_LIMIT):
-        state.strip_count += 1.0
+        problem.strip_count += 1.0
         know_influences(tables.influence, problem, yawed)
         size = list_loaded(problem)
         write_equations(problem, equations, size)

@@ -8,8 +8,8 @@ from ..contact.curves import open_origin
 from ..contact.separation import separation
 from ..contact.pressed import limited
 from ..contact.traces import start_traces
-from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, State,
-                      Strip, StripProblem, Strips, Tables)
+from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, Strip,
+                      StripProblem, Strips, Tables)
 from ..surface.locus import outline_x
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope, height_slope_bend
@@ -31,7 +31,7 @@ LEAST_OVERLAP: Final[float] = 0.05
 FIRST_LEAD: Final[float] = 0.5
 
 
-def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
+def trace_strips(tables: Tables, contact: Contact, count: int):
     """Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions."""
     problem = contact.strip_problem
     strips = problem.strips
@@ -47,15 +47,15 @@ def trace_strips(tables: Tables, contact: Contact, state: State, count: int):
                     start_traces(contact.frame, region.station, region.rail, region.wheel)
                     open_origin(tables, contact.frame, contact.origin, region, 0.0)
                     started = True
-                trace_strip(tables, contact, state, region, strip)
+                trace_strip(tables, contact, region, strip)
         leave_plane(contact.frame, contact.frames, region)
 
 
-def trace_strip(tables: Tables, contact: Contact, state: State, region: Region, strip: Strip):
+def trace_strip(tables: Tables, contact: Contact, region: Region, strip: Strip):
     """The surfaces at a strip of ``region``, whose frame is open."""
     frame = contact.frame
-    gap, rate, bend, curvature = separation(tables, frame, contact.origin, state,
-                                            strip.station - region.offset, STRIP_TRACE)
+    gap, rate, bend, curvature = separation(tables, frame, contact.origin, strip.station - region.offset,
+                                            STRIP_TRACE)
     strip.rise = 0.0
     strip.overlap = -NO_GAP
     if gap < NO_GAP:
@@ -119,10 +119,7 @@ def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
 def profile_within(tables: Tables, y: float):
     """Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond."""
     wheel = tables.wheel
-    if y < wheel.start:
-        y = wheel.start
-    if y > wheel.stop:
-        y = wheel.stop
+    y = min(max(y, wheel.start), wheel.stop)
     z, slope = height_slope(wheel, y)
     return z
 
@@ -176,9 +173,7 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
             strip = problem.strips[i]
             if strip.region == index:
                 if is_yawed(frame):
-                    overlap = strip.overlap
-                    if overlap < LEAST_OVERLAP * depth:
-                        overlap = LEAST_OVERLAP * depth
+                    overlap = max(strip.overlap, LEAST_OVERLAP * depth)
                     measure_ridge(tables, frame.place, strip, TESTED * sqrt(overlap * tables.radius))
                 beta = low_beta
                 if strip.station > middle:
@@ -213,8 +208,7 @@ def zone_curvature(depth: float, width: float, A: float):
     B = most
     if depth < most * width * width:
         B = depth / (width * width)
-    if B < FLATTEST_ZONE * A:
-        B = FLATTEST_ZONE * A
+    B = max(B, FLATTEST_ZONE * A)
     return B
 
 
@@ -222,11 +216,8 @@ def first_length(strip: Strip, depth: float, one_alpha: float, one_beta: float):
     """Half-length of a strip in a region of this ``depth`` [m], by ANALYN's coefficients of its zone."""
     level = depth - one_beta * (depth - strip.overlap)
     strip.loaded = level > 0.0
-    least = INSIDE * strip.overlap
-    if least < LEAST_OVERLAP * depth:
-        least = LEAST_OVERLAP * depth
-    if level < least:
-        level = least
+    least = max(INSIDE * strip.overlap, LEAST_OVERLAP * depth)
+    level = max(level, least)
     strip.half_length = sqrt(level / (one_alpha * strip.A))
 
 

@@ -152,10 +152,8 @@ def total_patches(side: SideSearch):
         totals.load += one.load
         totals.area += one.area
         totals.moment += one.moment
-        if one.max_pressure > totals.max_pressure:
-            totals.max_pressure = one.max_pressure
-        if one.max_half_length > totals.max_half_length:
-            totals.max_half_length = one.max_half_length
+        totals.max_pressure = max(totals.max_pressure, one.max_pressure)
+        totals.max_half_length = max(totals.max_half_length, one.max_half_length)
         if index == 0:
             totals.start = one.start
         totals.stop = one.stop

@@ -14,7 +14,7 @@ from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STA
 from .quadrature import quadratic_value
 
 
-def quadratic_at(strips: SolvedStrips, regions: Regions, count: int, station: float):
+def curved_at(strips: SolvedStrips, regions: Regions, count: int, station: float):
     """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
     regions; zeros where nothing is loaded.
 
@@ -132,11 +132,9 @@ def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips
         half_length = 0.0
         pressure = 0.0
         if j > 0 and j < stations - 1:
-            half_length, pressure = quadratic_at(strips, regions, count, station)
-        if half_length > largest:
-            half_length = largest
-        if pressure > peak:
-            pressure = peak
+            half_length, pressure = curved_at(strips, regions, count, station)
+        half_length = min(half_length, largest)
+        pressure = min(pressure, peak)
         outline.numbers[j] = station
         outline.numbers[stations + j] = half_length
         outline.numbers[2 * stations + j] = pressure
@@ -155,8 +153,7 @@ def write_straight(outline: Outline, stations: int, side: SideSearch, strips: So
         index = patch_beside(side, index, station)
         patch = side.patches[index]
         if j > 0 and j < stations - 1 and station > patch.totals.start and station < patch.totals.stop:
-            if strip < patch.first:
-                strip = patch.first
+            strip = max(strip, patch.first)
             while strip <= patch.last and strips[strip].station < station:
                 strip += 1
             half_length, pressure = straight_at(patch, strips, strip, station)

@@ -22,10 +22,7 @@ def bend_of(before: float, low: float, high: float):
     """
     bend = 0.5 * (before - 2.0 * low + high)
     limit = 0.5 * (fabs(low) + fabs(high))
-    if bend > limit:
-        bend = limit
-    if bend < -limit:
-        bend = -limit
+    bend = max(min(bend, limit), -limit)
     return bend
 
 
@@ -45,9 +42,7 @@ def cell_part(d_before: float, d_low: float, d_high: float):
         bend = bend_of(d_before, d_low, d_high)
         slope = d_high - d_low - bend
         # the root between two values of opposite sign, in the form that does not cancel
-        spread = slope * slope - 4.0 * bend * d_low
-        if spread < 0.0:
-            spread = 0.0
+        spread = max(slope * slope - 4.0 * bend * d_low, 0.0)
         spread = sqrt(spread)
         root = 0.0
         if d_low > 0.0:
@@ -100,9 +95,7 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
 
 def quadratic_at(low: float, slope: float, bend: float, x: float):
     """low + slope x + bend x^2, and 0 where rounding makes it negative."""
-    value = low + x * (slope + x * bend)
-    if value < 0.0:
-        value = 0.0
+    value = max(low + x * (slope + x * bend), 0.0)
     return value
 
 

@@ -127,7 +127,7 @@ def write_lengths(tables: 'float[:]', profile: int, work: 'float[:]', scratch: i
     return total
 
 
-def arc_length(tables: 'float[:]', profile: int, y: float, work: 'float[:]', scratch: int):
+def length_at(tables: 'float[:]', profile: int, y: float, work: 'float[:]', scratch: int):
     """Arc length [m] at ``y`` [m]."""
     first = first_piece(tables, profile)
     low = 0
@@ -175,7 +175,7 @@ def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, to
     """Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m]
     before ``y`` [m], at it and after it; ``total`` is the whole arc length [m]."""
     step = min(step, 0.5 * total)
-    middle = min(max(arc_length(tables, profile, y, work, scratch), step), total - step)
+    middle = min(max(length_at(tables, profile, y, work, scratch), step), total - step)
     y_0 = place_at_length(tables, profile, middle - step, work, scratch)
     y_1 = place_at_length(tables, profile, middle, work, scratch)
     y_2 = place_at_length(tables, profile, middle + step, work, scratch)
@@ -268,7 +268,7 @@ def write_arcs(tables: Tables, base: int, rail: int, work: 'float[:]', scratch: 
         x = start + step * float(cell + 1)
         high = total
         if cell + 1 < cells:
-            high = arc_length(tables.raw, rail, x, work, scratch)
+            high = length_at(tables.raw, rail, x, work, scratch)
         high_rise = step * rail_speed(tables, rail, x)
         write_cubic(tables, base, cell, low, high, low_rise, high_rise)
         low = high

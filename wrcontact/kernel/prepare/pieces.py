@@ -34,7 +34,7 @@ SCALE_3: Final[float] = 1000000.0
 SCALE_4: Final[float] = 999999999.9999999
 SCALE_5: Final[float] = 999999999999.9999
 #: Between the ends of a piece its error is seen at this many even parts.
-PARTS: Final[int] = 10
+SEEN_PARTS: Final[int] = 10
 HALVINGS: Final[int] = 24
 FULL: Final[int] = -1                # in place of an offset: the tables are full
 
@@ -69,9 +69,9 @@ def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: 
     c3 = tables[at + 4]
     c4 = tables[at + 5]
     c5 = tables[at + 6]
-    part = (high - low) / float(PARTS)
+    part = (high - low) / float(SEEN_PARTS)
     good = True
-    for i in range(1, PARTS):
+    for i in range(1, SEEN_PARTS):
         y = float(i) * part + low
         u = y - low
         z, slope, bend = zone_jet(zones, row, y)

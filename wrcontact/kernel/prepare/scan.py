@@ -15,7 +15,7 @@ from .pieces import FULL
 
 COARSE_STEP: Final[float] = 1.0e-3        # [m]
 FINE_STEP: Final[float] = 0.5e-3          # [m]
-STRAIGHT: Final[float] = 20.0             # the coarse step does where the wheel bends less [1/m]
+FLAT_BEND: Final[float] = 20.0             # the coarse step does where the wheel bends less [1/m]
 TOO_STEEP: Final[float] = 1e9             # [1/m]
 # samples of the second derivative in a piece, a cubic there, and of levers in a cell
 LAST_SAMPLE: Final[int] = 16
@@ -153,7 +153,7 @@ def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, fir
         if i < count:
             least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y,
                                                raster_place(start, stop, count, i + 1))
-            if max(fabs(least), fabs(most)) > STRAIGHT:
+            if max(fabs(least), fabs(most)) > FLAT_BEND:
                 scan.nodes[node].y = y + 0.5 * step
                 node += 1
     if node > SCAN_LIMIT:

@@ -120,11 +120,7 @@ def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ra
 
 def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
     """The corrections, parabolas of Poisson's ratio, from ``first`` on."""
-    ratio = poisson_ratio
-    if ratio < FIRST_CORRECTION:
-        ratio = FIRST_CORRECTION
-    if ratio > THIRD_CORRECTION:
-        ratio = THIRD_CORRECTION
+    ratio = min(max(poisson_ratio, FIRST_CORRECTION), THIRD_CORRECTION)
     for i in range(CORRECTION_RADII):
         table.radii[i] = fixed[first + i]
     low, middle, high = parabola_weights(FIRST_CORRECTION, SECOND_CORRECTION, THIRD_CORRECTION, ratio)

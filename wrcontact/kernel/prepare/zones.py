@@ -76,8 +76,7 @@ def arc_jet(zones: 'float[:]', row: int, y: float):
     side = zones[row + ZONE_SIDE]
     root = sqrt(max(radius * radius - u * u, 0.0))
     z = zones[row + ZONE_Z_CENTRE] + side * root
-    if root < VERTICAL:
-        root = VERTICAL
+    root = max(root, VERTICAL)
     return z, -side * u / root, -side * (radius * radius) / (root * root * root)
 
 
@@ -97,7 +96,7 @@ def turned_point(zones: 'float[:]', row: int, t: float, cosine: float, sine: flo
     return cosine * t - sine * z, sine * t + cosine * z
 
 
-def within(x: float, low: float, high: float):
+def clamped(x: float, low: float, high: float):
     """``x``, or the end that it lies beyond."""
     return min(max(x, low), high)
 
@@ -110,12 +109,12 @@ def turned_jet(zones: 'float[:]', row: int, y: float):
     first = zones[row + ZONE_FIRST]
     last = zones[row + ZONE_LAST]
     along = y - zones[row + ZONE_Y_SHIFT]
-    t = within(c * along, first, last)
+    t = clamped(c * along, first, last)
     i = 0
     while i < TURNED_ITERATIONS:
         z, slope, bend = polynomial_jet(zones, row, t)
         newton = (c * t - s * z - along) / (c - s * slope)
-        t = within(t - newton, first, last)
+        t = clamped(t - newton, first, last)
         i += 1
         if fabs(newton) <= TURNED_SHARP * (1.0 + fabs(along)):
             i = TURNED_ITERATIONS
@@ -203,8 +202,7 @@ def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
             y, z = turned_point(zones, row, zones[row + ZONE_START], cosine, sine)
             if z >= depth:
                 return place_at_depth(zones, row, cosine, sine, depth), depth
-            if z > deepest:
-                deepest = z
+            deepest = max(deepest, z)
         i -= 1
     return 0.0, deepest
 

@@ -45,11 +45,7 @@ FINE_CELL: Final[float] = 0.501e-3
 
 def node_below(scan: Scan, y: float):
     """The node at or below ``y`` [m]; the second last one at most."""
-    u = (y - scan.nodes[0].y) * scan.bins_per_metre
-    if not u > 0.0:
-        u = 0.0
-    if u > scan.bin_count - 1.0:
-        u = scan.bin_count - 1.0
+    u = min(max(0.0, (y - scan.nodes[0].y) * scan.bins_per_metre), scan.bin_count - 1.0)
     node = int(scan.bins[int(u)])
     if node + 2 < scan.count and scan.nodes[node + 1].y <= y:
         node += 1
@@ -113,10 +109,7 @@ def rail_place(scan: Scan, abscissa: float):
 
 def rail_index(scan: Scan, u: float):
     """The cell of the raster of the rail at place ``u``, or the nearest."""
-    if not u > 0.0:
-        u = 0.0
-    if u > scan.rail_count - 1.0:
-        u = scan.rail_count - 1.0
+    u = min(max(0.0, u), scan.rail_count - 1.0)
     return int(u)
 
 
@@ -178,8 +171,7 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
         if -slope < bend * length:
             return 0.5 * (1.0 + stretch) * slope * slope / bend
     fall = -slope * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length
-    if fall < 0.0:
-        fall = 0.0
+    fall = max(fall, 0.0)
     return fall
 
 
@@ -197,21 +189,6 @@ def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: f
         length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
         if stretch < WIDEST and largest_fall(slope, bend, length, stretch) <= excess:
             return exponent
-        exponent -= 1
-    return exponent
-
-
-def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
-                    slope: float, exponent: int):
-    """As ``clear_exponent``, also for cells over which the gap only rises."""
-    u = rail_place(scan, abscissa)
-    while exponent >= 0:
-        length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
-        if stretch < WIDEST:
-            if largest_fall(slope, bend, length, stretch) <= excess:
-                return exponent
-            if slope >= 0.0 and slope + bend * length >= 0.0:
-                return exponent
         exponent -= 1
     return exponent
 
@@ -247,9 +224,7 @@ def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
     least_wheel = node.least_bend
     most_wheel = node.most_bends[0]
     least = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel))
-    most = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel))
-    if not most > 0.0:
-        most = 0.0
+    most = max(0.0, most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel)))
     return least, most
 
 

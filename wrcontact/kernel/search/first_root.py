@@ -16,7 +16,7 @@ from math import fabs
 from typing import Final
 
 from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Place, RollTrial,
-                      RollTrials, Sides, State, Tables)
+                      RollTrials, Sides, Tables)
 from ..surface.locus import around_wheel, outline_point
 from ..surface.tables import height_slope
 from .bounds import REACH_SHARE, node_below
@@ -25,10 +25,10 @@ from .smallest_gap import search_side
 
 #: Roots of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
 APART: Final[float] = 1e-13
-TRIALS: Final[int] = 300
+ROOT_TRIALS: Final[int] = 300
 #: How a lever changes with roll and yaw, as shares of what slopes change at first order [-].
-TURNED_SHARE: Final[float] = 1.1
-YAWED_SHARE: Final[float] = 1.2
+LEVER_TURNED_SHARE: Final[float] = 1.1
+LEVER_YAWED_SHARE: Final[float] = 1.2
 #: A rolled rail sees the wheelset rolled the other way: shares of its roll and of the wheel's radius by which
 #: that changes levers and places at most [-].
 LEANING_SHARE: Final[float] = 1.1
@@ -37,25 +37,25 @@ FASTER: Final[float] = 1.5
 
 
 def solve_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
-               state: State, guess: float, warm: bool):
+               guess: float, warm: bool):
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
     no roll does not decide that.
     """
-    roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, guess, warm)
+    roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, guess, warm)
     if status != VALID and (guess != 0.0 or warm):
-        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, state, 0.0, False)
+        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, 0.0, False)
     return roll, status
 
 
 def certified_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides,
-                   trials: RollTrials, state: State, guess: float, warm: bool):
+                   trials: RollTrials, guess: float, warm: bool):
     """``solve_roll`` from this start alone."""
-    roll, status = any_roll(left_tables, right_tables, inputs, sides, state, guess, warm)
+    roll, status = any_roll(left_tables, right_tables, inputs, sides, guess, warm)
     if status == VALID and not falls_at_zero_roll(left_tables, right_tables, sides, roll):
-        if not is_certainly_first(left_tables, right_tables, sides, state, roll):
-            roll, status = first_root(left_tables, right_tables, sides, trials, state, roll)
+        if not is_certainly_first(left_tables, right_tables, sides, roll):
+            roll, status = first_root(left_tables, right_tables, sides, trials, roll)
     return roll, status
 
 
@@ -74,7 +74,7 @@ def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, 
 
 def lever_per_roll(steep: float, radius: float, arm: float):
     """How fast a lever changes with the roll at most [m], where profiles are as steep as ``steep`` [-]."""
-    return TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
+    return LEVER_TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
 
 
 def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
@@ -85,7 +85,7 @@ def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
     radius = tables.radius
     arm = tables.arm
     steep = fabs(lever + arm) / radius
-    yawed = YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
+    yawed = LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
     return lever + lever_per_roll(steep, radius, arm) * fabs(roll) + yawed
 
 
@@ -111,8 +111,7 @@ def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: f
     return beside
 
 
-def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, state: State,
-                       roll: float) -> bool:
+def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float) -> bool:
     """Whether D falls all the way from zero roll to its root at ``roll``, as far as the
     steepest places tell.
 
@@ -127,16 +126,16 @@ def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, 
         known = largest_lever_beyond(right_tables, sides[1].best_y, turned, sine)
         certain = is_beside_rail(left_tables, sides[0].place, known, turned, sine)
         if not certain:
-            certain = falls_from_zero_roll(left_tables, sides, 0, state, known, roll, turned)
+            certain = falls_from_zero_roll(left_tables, sides, 0, known, roll, turned)
     else:
         known = largest_lever_beyond(left_tables, sides[0].best_y, turned, sine)
         certain = is_beside_rail(right_tables, sides[1].place, known, turned, sine)
         if not certain:
-            certain = falls_from_zero_roll(right_tables, sides, 1, state, known, roll, turned)
+            certain = falls_from_zero_roll(right_tables, sides, 1, known, roll, turned)
     return certain
 
 
-def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State, known: float, roll: float,
+def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, known: float, roll: float,
                          turned: float) -> bool:
     """Whether D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
     ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
@@ -147,8 +146,8 @@ def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, state: State,
     abscissa = lower.best_rail
     certain = False
     turn_both(sides, 0.0)
-    followed = follow_side(tables, lower, state)
-    if search_side(tables, lower, state, followed):
+    followed = follow_side(tables, lower)
+    if search_side(tables, lower, followed):
         if known + largest_lever_beyond(tables, lower.best_y, turned, sides[1].place.sin_yaw) < 0.0:
             certain = True
     turn_both(sides, roll)
@@ -175,7 +174,7 @@ def lever_at(tables: Tables, at: Place, y: float):
             - arm * cos_roll + height * sin_roll)
 
 
-def lever_range(tables: Tables, state: State, at: Place, one: float, other: float):
+def lever_range(tables: Tables, at: Place, one: float, other: float):
     """Smallest and largest ``lever_at`` between two places of the wheel [m]."""
     scan = tables.scan
     y = one
@@ -185,7 +184,7 @@ def lever_range(tables: Tables, state: State, at: Place, one: float, other: floa
         last = one
     node = node_below(scan, y)
     before = lever_at(tables, at, y)
-    state.gap_count += 1.0
+    at.gap_count += 1.0
     least = before
     most = before
     while y < last:
@@ -195,7 +194,7 @@ def lever_range(tables: Tables, state: State, at: Place, one: float, other: floa
         if following > last or following <= y:
             following = last
         lever = lever_at(tables, at, following)
-        state.gap_count += 1.0
+        at.gap_count += 1.0
         beyond = 0.5 * FASTER * bend * (following - y) * (at.radius + at.arm)
         least = min(least, min(lever, before) - beyond)
         most = max(most, max(lever, before) + beyond)
@@ -226,14 +225,14 @@ def copy_trial(trial: RollTrial, to: RollTrial):
     to.right = trial.right
 
 
-def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, near: RollTrial,
-                far: RollTrial, sign: float) -> bool:
+def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, near: RollTrial, far: RollTrial,
+                sign: float) -> bool:
     """Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
     ``sign`` or, at ``far``, is zero."""
     width = fabs(far.roll - near.roll)
     turn_both(sides, 0.5 * (far.roll + near.roll))
-    left_least, left_most = lever_range(left_tables, state, sides[0].place, near.left, far.left)
-    right_least, right_most = lever_range(right_tables, state, sides[1].place, near.right, far.right)
+    left_least, left_most = lever_range(left_tables, sides[0].place, near.left, far.left)
+    right_least, right_most = lever_range(right_tables, sides[1].place, near.right, far.right)
     arm = right_tables.arm
     radius = max(left_tables.radius, right_tables.radius)
     steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most)))
@@ -250,13 +249,12 @@ def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, state: 
     return meet >= width or at_near + least * meet > 0.0
 
 
-def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: RollTrials, state: State,
-               roll: float):
+def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: RollTrials, roll: float):
     """The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``."""
     near = trials.near
     note_root(trials.far[0], sides, roll)
     turn_both(sides, 0.0)
-    if not search_both(left_tables, right_tables, sides, state, False):
+    if not search_both(left_tables, right_tables, sides, False):
         return 0.0, OFF_PROFILE
     note_trial(near, sides, 0.0)
     if near.difference == 0.0:
@@ -270,21 +268,21 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
         last = 0.0
     status = VALID
     if sign * roll < 0.0:
-        roll, status = roll_between(left_tables, right_tables, sides, state, 0.5 * (first + last), first,
-                                    last, False)
+        roll, status = roll_between(left_tables, right_tables, sides, 0.5 * (first + last), first, last,
+                                    False)
         note_root(trials.far[0], sides, roll)
     end = 0
     trial = 0
     while end >= 0 and status == VALID:
         far = trials.far[end]
         width = fabs(far.roll - near.roll)
-        if width < APART or has_no_root(left_tables, right_tables, sides, state, near, far, sign):
+        if width < APART or has_no_root(left_tables, right_tables, sides, near, far, sign):
             copy_trial(far, near)
             end -= 1
         else:
             middle = 0.5 * (far.roll + near.roll)
             turn_both(sides, middle)
-            if not search_both(left_tables, right_tables, sides, state, False):
+            if not search_both(left_tables, right_tables, sides, False):
                 status = OFF_PROFILE
             elif sign * (sides[1].best - sides[0].best) > 0.0:
                 end += 1
@@ -292,19 +290,19 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
             else:
                 # a root before: it is the known one now
                 end = 0
-                roll, status = root_before(left_tables, right_tables, sides, state, near.roll, middle, sign)
+                roll, status = root_before(left_tables, right_tables, sides, near.roll, middle, sign)
                 note_root(trials.far[0], sides, roll)
         trial += 1
-        if trial == TRIALS or end >= TRIAL_LIMIT - 2:
+        if trial == ROOT_TRIALS or end >= TRIAL_LIMIT - 2:
             status = NOT_CONVERGED
     if status == VALID:
         turn_both(sides, roll)
-        search_both(left_tables, right_tables, sides, state, False)
+        search_both(left_tables, right_tables, sides, False)
     return roll, status
 
 
-def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, near: float,
-                middle: float, sign: float):
+def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, near: float, middle: float,
+                sign: float):
     """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
     it has not; and the outcome."""
     first = near
@@ -312,4 +310,4 @@ def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, state: 
     if sign < 0.0:
         first = middle - APART
         last = near
-    return roll_between(left_tables, right_tables, sides, state, middle, first, last, False)
+    return roll_between(left_tables, right_tables, sides, middle, first, last, False)

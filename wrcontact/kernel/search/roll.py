@@ -16,13 +16,12 @@ from math import fabs
 from typing import Final
 
 from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Place, SideSearch, Sides, Starts,
-                      State, Tables)
+                      Tables)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from ..surface.rails import lean_rail, move_rail, turn_leaning
 from .bounds import rail_below
-from .smallest_gap import search_side
-from .walk import SHARP
+from .smallest_gap import SHARP, search_side
 
 #: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a
 #: lever of 0.2 m and more.
@@ -87,21 +86,21 @@ def restore_yaw(place: Place):
     place.cos_yaw = place.track_cos_yaw
 
 
-def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, known: bool) -> bool:
+def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, known: bool) -> bool:
     """Search both sides; whether both wheels are above their rails."""
-    left = search_side(left_tables, sides[0], state, known)
-    right = search_side(right_tables, sides[1], state, known)
+    left = search_side(left_tables, sides[0], known)
+    right = search_side(right_tables, sides[1], known)
     return left and right
 
 
-def follow_side(tables: Tables, side: SideSearch, state: State) -> bool:
+def follow_side(tables: Tables, side: SideSearch) -> bool:
     """Move a side's known smallest gap to this roll's by Newton's method; whether it is found near."""
     at = side.place
     wheel = tables.wheel
     y = side.best_y
     for i in range(FOLLOW_STEPS):
         gap, mismatch, rate = vertical_gap(tables, at, y)
-        state.gap_count += 1.0
+        at.gap_count += 1.0
         if not rate > 0.0:
             return False
         move = -mismatch / rate
@@ -128,8 +127,8 @@ def newton_move(left_tables: Tables, right_tables: Tables, sides: Sides):
     return difference, move
 
 
-def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
-                    low: float, high: float):
+def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float, low: float,
+                    high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value: whether found.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
@@ -139,8 +138,9 @@ def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, sta
     left = sides[0].best_y
     right = sides[1].best_y
     for i in range(NEWTON_STEPS):
-        state.roll_count += 1.0
-        state.gap_count += 2.0
+        sides[1].roll_count += 1.0
+        sides[0].place.gap_count += 1.0
+        sides[1].place.gap_count += 1.0
         turn_both(sides, roll)
         gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(
             left_tables, sides[0].place, left)
@@ -192,8 +192,8 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     side.best_rail = abscissa
 
 
-def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state: State, roll: float,
-                 first: float, last: float, known: bool):
+def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float, first: float,
+                 last: float, known: bool):
     """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
@@ -208,7 +208,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
             turn_both(sides, roll)
         before_left = sides[0].best_y
         before_right = sides[1].best_y
-        found = search_both(left_tables, right_tables, sides, state, known)
+        found = search_both(left_tables, right_tables, sides, known)
         if known and before_left == sides[0].best_y and before_right == sides[1].best_y:
             return roll, VALID
         known = False
@@ -235,7 +235,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
         elif fabs(move) > LONGEST_TURN:
             roll += move
         else:
-            balanced, known = equalize_minima(left_tables, right_tables, sides, state, roll + move, low, high)
+            balanced, known = equalize_minima(left_tables, right_tables, sides, roll + move, low, high)
             roll += move
             if known:
                 roll = balanced
@@ -248,8 +248,8 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, state:
     return roll, status
 
 
-def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, state: State,
-             guess: float, warm: bool):
+def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, guess: float,
+             warm: bool):
     """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
@@ -260,14 +260,11 @@ def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: S
     known = False
     place_both(left_tables, right_tables, inputs, sides, start)
     if warm:
-        balanced, known = equalize_minima(left_tables, right_tables, sides, state, start, -ROLL_LIMIT,
-                                          ROLL_LIMIT)
+        balanced, known = equalize_minima(left_tables, right_tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT)
         if known:
             start = balanced
-    roll, status = roll_between(left_tables, right_tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT,
-                                known)
+    roll, status = roll_between(left_tables, right_tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT, known)
     if status != VALID and start != 0.0:
         # far from zero roll a wheel may be beside its rail, and D without a sign
-        roll, status = roll_between(left_tables, right_tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT,
-                                    False)
+        roll, status = roll_between(left_tables, right_tables, sides, 0.0, -ROLL_LIMIT, ROLL_LIMIT, False)
     return roll, status

@@ -1,23 +1,225 @@
-"""The smallest vertical gap of one side, and the further local minima of the gap.
+"""The smallest vertical gap of one side.
 
-The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known
-place, or the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it
-leaves out cannot hold a smaller gap, by the bounds of the gap's second derivative: so the global
-minimum is bounded and not assumed.
+The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known place, or
+the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it leaves out cannot
+hold a smaller gap, by the bounds of the gap's second derivative: so the global minimum is bounded and not
+assumed.
+
+Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot become smaller
+than the smallest one known; that stretch, of up to 32 cells, is skipped. Where not even one cell can be
+skipped, the cell itself is searched, or the part of it that is above the rail: it is halved until it is
+settled. The gap between both ends lies above its chord by no less than -M h^2 / 8, where M bounds its second
+derivative from above.
+
+The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
+nodes, does not look between them, and ends at the first node beside the rail.
 """
 
+from math import fabs
 from typing import Final
 
-from ..layout import CANDIDATES, SideSearch, State, Tables
-from ..surface.gap import above_rail
-from .bounds import leaves_rail, node_below, node_gap, rising_from_minimum
-from .walk import LARGE_GAP, walk
+from ..layout import EXPONENTS, Cell, Place, SideSearch, Tables
+from ..surface.gap import FOLDED, above_rail, vertical_gap
+from .bounds import (above_rail_end, bend_bounds, clear_exponent, leaves_rail, node_below, node_gap,
+                     only_rises_or_falls, rising_from_minimum)
 
+#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m
+#: at worst.
+NARROW: Final[float] = 2e-6
+#: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
+SHARP: Final[float] = 1e-13
+REFINEMENTS: Final[int] = 60
+#: Rounding of gaps [m].
+ROUNDING: Final[float] = 1e-15
+#: A gap that is larger than any [m].
+LARGE_GAP: Final[float] = 1e3
 #: Without a known place the search begins at the best of every eighth node.
 PROBE_STRIDE: Final[int] = 8
 
 
-def search_side(tables: Tables, side: SideSearch, state: State, known: bool) -> bool:
+def write_cell(cell: Cell, low: float, high: float, gap_low: float, gap_high: float, mismatch_low: float,
+               mismatch_high: float):
+    """Fill in a cell that waits to be searched."""
+    cell.low = low
+    cell.high = high
+    cell.gap_low = gap_low
+    cell.gap_high = gap_high
+    cell.mismatch_low = mismatch_low
+    cell.mismatch_high = mismatch_high
+
+
+def cell_ends(cell: Cell):
+    """Abscissae, gaps [m] and mismatches [-] at both ends of a cell."""
+    return cell.low, cell.high, cell.gap_low, cell.gap_high, cell.mismatch_low, cell.mismatch_high
+
+
+def search_cell(tables: Tables, side: SideSearch, least: float, most: float, first: float,
+                last: float):
+    """Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
+    while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
+    second derivative [1/m]."""
+    at = side.place
+    gap_low, mismatch_low, rate = vertical_gap(tables, at, first)
+    gap_high, mismatch_high, rate = vertical_gap(tables, at, last)
+    at.gap_count += 2.0
+    write_cell(side.stack[0], first, last, gap_low, gap_high, mismatch_low, mismatch_high)
+    depth = 1
+    while depth > 0:
+        depth -= 1
+        cell = side.stack[depth]
+        low, high, gap_low, gap_high, mismatch_low, mismatch_high = cell_ends(cell)
+        width = high - low
+        lowest = gap_low
+        keep_smaller(side, low, gap_low)
+        if gap_high < gap_low:
+            lowest = gap_high
+            keep_smaller(side, high, gap_high)
+        if lowest - most * width * width / 8.0 < side.best:
+            folded = mismatch_low == FOLDED or mismatch_high == FOLDED
+            turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
+            steady = only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) and not folded
+            if turns and (least > 0.0 or width <= NARROW):
+                y, gap = refine_minimum(tables, at, cell)
+                keep_refined(side, y, gap, width)
+            elif width > NARROW and not steady and (folded or not least > 0.0):
+                middle = 0.5 * (low + high)
+                gap, mismatch, rate = vertical_gap(tables, at, middle)
+                at.gap_count += 1.0
+                write_cell(side.stack[depth + 1], middle, high, gap, gap_high, mismatch, mismatch_high)
+                write_cell(cell, low, middle, gap_low, gap, mismatch_low, mismatch)
+                depth += 2
+
+
+def keep_smaller(side: SideSearch, y: float, gap: float):
+    """Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
+    node beside a contact is none."""
+    if gap < side.best - ROUNDING:
+        side.best = gap
+        side.best_y = y
+
+
+def keep_refined(side: SideSearch, y: float, gap: float, width: float):
+    """Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
+    ``width`` [m] that has the same gap but for the last bits."""
+    allowed = side.best
+    if fabs(y - side.best_y) < width:
+        allowed += ROUNDING
+    if gap < allowed:
+        side.best = gap
+        side.best_y = y
+
+
+def refine_minimum(tables: Tables, at: Place, cell: Cell):
+    """Abscissa [m] and gap [m] where the slope difference vanishes in a cell:
+    bracketed Newton's method."""
+    low = cell.low
+    high = cell.high
+    y = low - cell.mismatch_low * (high - low) / (cell.mismatch_high - cell.mismatch_low)
+    gap = 0.0
+    for i in range(REFINEMENTS):
+        gap, mismatch, rate = vertical_gap(tables, at, y)
+        at.gap_count += 1.0
+        if mismatch < 0.0:
+            low = y
+        else:
+            high = y
+        following = 0.5 * (low + high)
+        if rate > 0.0:
+            move = -mismatch / rate
+            if fabs(move) < SHARP:
+                break
+            if y + move > low and y + move < high:
+                following = y + move
+        if fabs(following - y) < SHARP:
+            break
+        y = following
+    return y, gap
+
+
+def walk(tables: Tables, side: SideSearch, node: int, direction: int):
+    """Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel."""
+    scan = tables.scan
+    at = side.place
+    count = scan.count
+    exponent = EXPONENTS - 1
+    gap_before = LARGE_GAP
+    mismatch_before = 0.0
+    abscissa_before = 0.0
+    skipped = True
+    beside = False
+    while node >= 0 and node < count:
+        gap, mismatch, abscissa = node_gap(tables, at, node)
+        at.gap_count += 1.0
+        if not above_rail(tables, abscissa):
+            if not skipped and not beside:
+                search_end(tables, side, node - direction, direction)
+            if leaves_rail(tables, at, node, direction, abscissa):
+                return
+            beside = True
+            skipped = False
+            exponent = 0
+        else:
+            keep_smaller(side, scan.nodes[node].y, gap)
+            if beside:
+                search_end(tables, side, node, -direction)
+            elif not skipped:
+                if direction > 0:
+                    write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap,
+                               mismatch_before, mismatch)
+                    search_between(tables, side, node - 1, abscissa_before)
+                else:
+                    write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before,
+                               mismatch, mismatch_before)
+                    search_between(tables, side, node, abscissa)
+            beside = False
+            gap_before = gap
+            mismatch_before = mismatch
+            abscissa_before = abscissa
+            slope = float(direction) * mismatch
+            exponent = clear_exponent(scan, at, node, direction, abscissa, gap - side.best, slope, exponent)
+            skipped = True
+            if exponent < 0:
+                exponent = 0
+                skipped = False
+        node += direction * (1 << exponent)
+        if not beside and exponent < EXPONENTS - 1:
+            exponent += 1
+
+
+def search_between(tables: Tables, side: SideSearch, node: int, abscissa: float):
+    """Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold a
+    smaller gap.
+
+    abscissa : of ``node`` on the rail [m].
+    """
+    least, most = bend_bounds(tables.scan, side.place, node, abscissa)
+    cell = side.stack[0]
+    width = cell.high - cell.low
+    if min(cell.gap_low, cell.gap_high) - most * width * width / 8.0 < side.best:
+        search_cell(tables, side, least, most, cell.low, cell.high)
+
+
+def search_end(tables: Tables, side: SideSearch, node: int, outward: int):
+    """Search between ``node``, above the rail, and the end of the rail, which lies before the next node
+    ``outward`` (1 or -1)."""
+    at = side.place
+    inner = tables.scan.nodes[node].y
+    end = above_rail_end(tables, at, node, outward)
+    low = min(inner, end)
+    high = max(inner, end)
+    cell = node
+    if outward < 0:
+        cell = node - 1
+    if low < high:
+        gap, mismatch, abscissa = node_gap(tables, at, node)
+        gap, mismatch, beyond = node_gap(tables, at, node + outward)
+        if beyond < abscissa:
+            abscissa = tables.rail.start
+        least, most = bend_bounds(tables.scan, at, cell, abscissa)
+        search_cell(tables, side, -1.0, most, low, high)
+
+
+def search_side(tables: Tables, side: SideSearch, known: bool) -> bool:
     """Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
 
     With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
@@ -25,14 +227,14 @@ def search_side(tables: Tables, side: SideSearch, state: State, known: bool) -> 
     """
     scan = tables.scan
     at = side.place
-    state.scan_count += 1.0
+    side.scan_count += 1.0
     if known:
         cell = node_below(scan, side.best_y)
         ahead = rising_from_minimum(scan, at, side.best_y, 1, side.best_rail)
         behind = rising_from_minimum(scan, at, side.best_y, -1, side.best_rail)
         if ahead >= 0 and behind >= 0:
-            walk(tables, side, state, cell + (1 << ahead), 1, False)
-            walk(tables, side, state, cell + 1 - (1 << behind), -1, False)
+            walk(tables, side, cell + (1 << ahead), 1)
+            walk(tables, side, cell + 1 - (1 << behind), -1)
             return True
         node = cell
         gap, mismatch, abscissa = node_gap(tables, at, node)
@@ -40,17 +242,17 @@ def search_side(tables: Tables, side: SideSearch, state: State, known: bool) -> 
             node = cell + 1
     else:
         side.best = LARGE_GAP
-        node = best_node(tables, side, state, PROBE_STRIDE)
+        node = best_node(tables, side, PROBE_STRIDE)
         if node < 0:
-            node = best_node(tables, side, state, 1)
+            node = best_node(tables, side, 1)
         if node < 0:
             return False
-    walk(tables, side, state, node, 1, False)
-    walk(tables, side, state, node, -1, False)
+    walk(tables, side, node, 1)
+    walk(tables, side, node, -1)
     return True
 
 
-def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
+def best_node(tables: Tables, side: SideSearch, stride: int):
     """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
     known; -1 if there is none."""
     scan = tables.scan
@@ -59,7 +261,7 @@ def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
     node = 0
     while node < scan.count:
         gap, mismatch, abscissa = node_gap(tables, at, node)
-        state.gap_count += 1.0
+        at.gap_count += 1.0
         if above_rail(tables, abscissa):
             if gap < side.best:
                 side.best = gap
@@ -69,21 +271,3 @@ def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
             return found
         node += stride
     return found
-
-
-def list_minima(tables: Tables, side: SideSearch, state: State, reach: float, abscissa: float):
-    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at
-    ``abscissa`` on the rail [m]: the candidates ``first`` ... ``last`` of the side."""
-    scan = tables.scan
-    cell = node_below(scan, side.best_y)
-    side.reach = reach
-    side.first = CANDIDATES
-    side.last = CANDIDATES - 1
-    ahead = rising_from_minimum(scan, side.place, side.best_y, 1, abscissa)
-    if ahead < 0:
-        ahead = 0
-    walk(tables, side, state, cell + (1 << ahead), 1, True)
-    behind = rising_from_minimum(scan, side.place, side.best_y, -1, abscissa)
-    if behind < 0:
-        behind = 0
-    walk(tables, side, state, cell + 1 - (1 << behind), -1, True)

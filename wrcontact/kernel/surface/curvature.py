@@ -51,7 +51,5 @@ def longitudinal_curvature(tables: Tables, place: Place, z: float, slope: float,
         e3 = place.sin_yaw * place.sin_roll
         around = e1 * cos_phi - e3 * sin_phi
         steep = sqrt(1.0 + slope * slope)
-        curvature = (around * around / r - bend * e2 * e2) / steep
-        if curvature < CURVATURE_FLOOR / (r * steep):
-            curvature = CURVATURE_FLOOR / (r * steep)
+        curvature = max((around * around / r - bend * e2 * e2) / steep, CURVATURE_FLOOR / (r * steep))
     return curvature

@@ -7,7 +7,7 @@ is that gap.
 
 from typing import Final
 
-from ..layout import Place, Tables
+from ..layout import Place, Tables, inlined
 from .locus import around_wheel, outline_jet, outline_point
 from .tables import height_slope, height_slope_bend
 
@@ -21,6 +21,7 @@ def above_rail(tables: Tables, abscissa: float) -> bool:
     return abscissa >= rail.start and abscissa <= rail.stop
 
 
+@inlined
 def vertical_gap(tables: Tables, place: Place, y: float):
     """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y``
     [m].

@@ -90,17 +90,14 @@ def around_wheel(place: Place, slope: float):
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
     """
-    w = place.w_per_slope * slope
-    if w > 1.0:
-        w = 1.0
-    if w < -1.0:
-        w = -1.0
+    w = max(min(place.w_per_slope * slope, 1.0), -1.0)
     root = sqrt(1.0 - w * w)
     t = place.t
     cos_t = place.cos_t
     return -(t * root + w) * cos_t, (root - t * w) * cos_t
 
 
+@inlined
 def outline_point(place: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
     point (y, z).
@@ -129,6 +126,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
     return y_track, z_track, outline_slope
 
 
+@inlined
 def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
     slope [1/m]. (Both are written out: a search calls the shorter one most.)"""

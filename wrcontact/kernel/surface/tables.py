@@ -5,7 +5,7 @@ An abscissa that is not a number, infinite or far outside is read from a piece a
 table is read.
 """
 
-from ..layout import PIECE_SIZE, CubicTable, Piece, Profile
+from ..layout import PIECE_SIZE, CubicTable, Piece, Profile, inlined
 
 
 def table_cell(u: float, last: float):
@@ -13,10 +13,7 @@ def table_cell(u: float, last: float):
 
     ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
     """
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
+    u = min(max(0.0, u), last)
     cell = int(u)
     if cell > int(last) - 1:
         cell = int(last) - 1
@@ -43,10 +40,7 @@ def find_piece(profile: Profile, y: float) -> Piece:
     """The piece that holds ``y`` [m]."""
     u = (y - profile.start) * profile.bins_per_metre
     last = profile.bin_count - 1.0
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
+    u = min(max(0.0, u), last)
     piece = Piece.at(profile, int(profile.bins[int(u)]))
     while y >= Piece.at(piece, PIECE_SIZE).start:
         piece = Piece.at(piece, PIECE_SIZE)
@@ -66,6 +60,7 @@ def height_slope(profile: Profile, y: float):
     return piece.c0 + u * p1, slope
 
 
+@inlined
 def height_slope_bend(profile: Profile, y: float):
     """Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]."""
     piece = find_piece(profile, y)

@@ -10,7 +10,7 @@ since a region comes or goes, the roll of the jump is taken.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Regions, Sides, State,
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Regions, Sides,
                       Tables, Work, seldom)
 from .side import load_side, press_side
 from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
@@ -63,7 +63,7 @@ def carried_load(regions: Regions, count: int):
 
 
 @seldom
-def height_residual(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
+def height_residual(tables: Tables, work: Work, index: int, force: float, height: float):
     """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
     there [m]; whether they can carry it; and the outcome.
 
@@ -71,15 +71,15 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
     at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
     """
     support = work.supports[index]
-    status = balance_side(tables, work, state, index, force, height)
+    status = balance_side(tables, work, index, force, height)
     residual = support.height - height
     satisfied = True
     if status == NOT_CONVERGED:
         satisfied = False
         approach = permitted_approach(support, work.sides[index], height)
-        status = press_side(tables, work, state, index, approach)
+        status = press_side(tables, work, index, approach)
         if status == VALID:
-            count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
+            count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
             residual = approach
             if carried_load(work.contact.regions, count) > force:
                 residual = -approach
@@ -88,7 +88,7 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
 
 
 @seldom
-def bracket_height(tables: Tables, work: Work, state: State, index: int, force: float):
+def bracket_height(tables: Tables, work: Work, index: int, force: float):
     """Find the height at which a side carries ``force`` [N] with regions and nodes as they
     are just there; the outcome.
 
@@ -101,9 +101,9 @@ def bracket_height(tables: Tables, work: Work, state: State, index: int, force: 
     bracket = work.height_bracket
     best = work.sides[index].best
     if not force > 0.0:
-        return balance_side(tables, work, state, index, force, best)
+        return balance_side(tables, work, index, force, best)
     height = best + SHALLOWEST * support.approach
-    residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+    residual, satisfied, status = height_residual(tables, work, index, force, height)
     if status > UNLOADED:
         return status
     if residual <= 0.0:
@@ -117,25 +117,23 @@ def bracket_height(tables: Tables, work: Work, state: State, index: int, force: 
             return status
         bracket.low = bracket.high
         bracket.at_low = bracket.at_high
-        height = best + DEEPER * (bracket.high - best)
-        if height > best + DEEPEST:
-            height = best + DEEPEST
-        residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+        height = min(best + DEEPER * (bracket.high - best), best + DEEPEST)
+        residual, satisfied, status = height_residual(tables, work, index, force, height)
         bracket.high = height
         bracket.at_high = residual
         if status > UNLOADED:
             return status
     for i in range(BRACKETINGS):
         height = next_in_bracket(bracket, i)
-        residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+        residual, satisfied, status = height_residual(tables, work, index, force, height)
         if status > UNLOADED or fabs(residual) < BRACKET_SHARP:
             return status
         narrow_bracket(bracket, height, residual)
         if bracket.high - bracket.low < BRACKET_SHARP:
             break
-    status = balance_side(tables, work, state, index, force, bracket.high)
+    status = balance_side(tables, work, index, force, bracket.high)
     if status == NOT_CONVERGED:
-        status = balance_side(tables, work, state, index, force, bracket.low)
+        status = balance_side(tables, work, index, force, bracket.low)
     support.height = bracket.high
     return status
 
@@ -153,46 +151,44 @@ def flatter_side(sides: Sides):
 
 
 @seldom
-def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
-                  left: float, right: float, flat: int):
+def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
+                  right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
     how much lower the right one carries its load than the left one [m], whether both can carry
     their loads, and the outcome."""
-    if not turn_to(left_tables, right_tables, work, state, roll):
+    if not turn_to(left_tables, right_tables, work, roll):
         return 0.0, False, OFF_PROFILE
-    state.roll_count += 1.0
+    work.sides[1].roll_count += 1.0
     if flat == 1:
-        residual, satisfied, status = level_residual(right_tables, left_tables, work, state, 1, right, left)
+        residual, satisfied, status = level_residual(right_tables, left_tables, work, 1, right, left)
         residual = -residual
     else:
-        residual, satisfied, status = level_residual(left_tables, right_tables, work, state, 0, left, right)
+        residual, satisfied, status = level_residual(left_tables, right_tables, work, 0, left, right)
     return residual, satisfied, status
 
 
 @seldom
-def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, state: State, flat: int,
-                   flat_force: float, steep_force: float):
+def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, flat: int, flat_force: float,
+                   steep_force: float):
     """Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
     other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome."""
-    status = bracket_height(flat_tables, work, state, flat, flat_force)
+    status = bracket_height(flat_tables, work, flat, flat_force)
     if status > UNLOADED:
         return 0.0, False, status
     height = work.supports[flat].height
-    residual, satisfied, outcome = height_residual(steep_tables, work, state, 1 - flat, steep_force, height)
+    residual, satisfied, outcome = height_residual(steep_tables, work, 1 - flat, steep_force, height)
     work.supports[1 - flat].height = height
-    if outcome > status:
-        status = outcome
+    status = max(status, outcome)
     return residual, satisfied, status
 
 
 @seldom
-def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
-                 left: float, right: float, flat: int):
+def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
+                 right: float, flat: int):
     """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
     NOT_CONVERGED if there is none within ROLL_LIMIT."""
     bracket = work.roll_bracket
-    residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
-                                                flat)
+    residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return status
     bracket.low = roll
@@ -207,15 +203,15 @@ def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
             bracket.low = bracket.high
             bracket.at_low = bracket.at_high
             bracket.high = roll + reach
-            value, satisfied, status = roll_residual(left_tables, right_tables, work, state, bracket.high,
-                                                     left, right, flat)
+            value, satisfied, status = roll_residual(left_tables, right_tables, work, bracket.high, left,
+                                                     right, flat)
             bracket.at_high = value
         else:
             bracket.high = bracket.low
             bracket.at_high = bracket.at_low
             bracket.low = roll - reach
-            value, satisfied, status = roll_residual(left_tables, right_tables, work, state, bracket.low,
-                                                     left, right, flat)
+            value, satisfied, status = roll_residual(left_tables, right_tables, work, bracket.low, left,
+                                                     right, flat)
             bracket.at_low = value
         if status > UNLOADED:
             return status
@@ -224,21 +220,20 @@ def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
 
 
 @seldom
-def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
-                 left: float, right: float):
+def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
+                 right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
     from the rigid ``roll``."""
     bracket = work.roll_bracket
     flat = flatter_side(work.sides)
-    status = enclose_roll(left_tables, right_tables, work, state, roll, left, right, flat)
+    status = enclose_roll(left_tables, right_tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     residual = 0.0
     satisfied = False
     for i in range(BRACKETINGS):
         roll = next_in_bracket(bracket, i)
-        residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
-                                                    flat)
+        residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
         if status > UNLOADED:
             return roll, status
         narrow_bracket(bracket, roll, residual)
@@ -251,16 +246,15 @@ def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, state: S
             end = bracket.low
         if roll != end:
             roll = end
-            residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left,
-                                                        right, flat)
+            residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right,
+                                                        flat)
     if not satisfied:
         # or the one whose nodes can carry the force
         other = bracket.low
         if roll == bracket.low:
             other = bracket.high
         roll = other
-        residual, satisfied, status = roll_residual(left_tables, right_tables, work, state, roll, left, right,
-                                                    flat)
+        residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
     if status <= UNLOADED:
         if not satisfied:
             status = NOT_CONVERGED

@@ -8,8 +8,8 @@ below zero.  Areas and pressures stay those of the elastic contact.
 
 from typing import Final
 
-from ..layout import (MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch, SideSearch, State,
-                      Tables, Work, seldom)
+from ..layout import (MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch, SideSearch, Tables,
+                      Work, seldom)
 from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
 from ..search.roll import follow_side, nearest_start, place_both, search_both
@@ -24,7 +24,7 @@ GRAZING: Final[float] = 1e-13
 
 
 @seldom
-def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work):
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
@@ -34,18 +34,16 @@ def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work, state
     work.wheelset.vertical_shift = height
     if is_damped(right_tables):
         open_given_motion(left_tables, right_tables, work)
-    if not search_both(left_tables, right_tables, work.sides, state,
-                   follow_starts(left_tables, right_tables, work, state)):
+    if not search_both(left_tables, right_tables, work.sides, follow_starts(left_tables, right_tables, work)):
         return OFF_PROFILE
-    status = load_at_height(left_tables, work, state, 0, height)
-    outcome = load_at_height(right_tables, work, state, 1, height)
-    if outcome > status:
-        status = outcome
+    status = load_at_height(left_tables, work, 0, height)
+    outcome = load_at_height(right_tables, work, 1, height)
+    status = max(status, outcome)
     return status
 
 
 @seldom
-def follow_starts(left_tables: Tables, right_tables: Tables, work: Work, state: State) -> bool:
+def follow_starts(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
     """Whether both smallest gaps could be followed from where they are known near the lateral shift."""
     row = nearest_start(right_tables.starts, work.inputs.lateral_shift)
     known = False
@@ -53,24 +51,24 @@ def follow_starts(left_tables: Tables, right_tables: Tables, work: Work, state: 
         start = right_tables.starts.rows[row]
         work.sides[0].best_y = start.left
         work.sides[1].best_y = start.right
-        known = follow_side(left_tables, work.sides[0], state)
+        known = follow_side(left_tables, work.sides[0])
         if known:
-            known = follow_side(right_tables, work.sides[1], state)
+            known = follow_side(right_tables, work.sides[1])
     return known
 
 
 @seldom
-def load_at_height(tables: Tables, work: Work, state: State, index: int, height: float):
+def load_at_height(tables: Tables, work: Work, index: int, height: float):
     """The load of a side whose wheelset has the vertical shift ``height`` [m]; its
     outcome, UNLOADED if lifted."""
     approach = height - work.sides[index].best
     if not approach > GRAZING:
-        return touch_side(tables, work, state, index)
+        return touch_side(tables, work, index)
     if approach > DEEPEST:
         return OFF_PROFILE
-    status = press_side(tables, work, state, index, approach)
+    status = press_side(tables, work, index, approach)
     if status == VALID:
-        count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
+        count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
     if status == VALID and is_damped(tables):
         damp_patches(tables, work.sides[index])
     return status
@@ -90,9 +88,7 @@ def damp_patches(tables: Tables, side: SideSearch):
     """Damp the patches of a side."""
     for number in range(side.patch_count):
         patch = side.patches[number]
-        factor = 1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch)
-        if factor < 0.0:
-            factor = 0.0
+        factor = max(1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch), 0.0)
         damp_patch(patch, factor)
     total_patches(side)
 

@@ -18,8 +18,8 @@ from math import fabs
 from typing import Final
 
 from ..contact.pressed import limited
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, State, Supports,
-                      Tables, Work, seldom)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables,
+                      Work, seldom)
 from ..normal.normal_contact import has_coarse_form
 from .brackets import bracket_roll
 from .side import side_lever
@@ -40,7 +40,7 @@ NOT_LAST: Final[float] = 1e-10
 #: about as much off.
 COARSE: Final[float] = 2e-6
 #: Longest move of a wheel in one trial [m].
-LONGEST: Final[float] = 2e-4
+LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
 #: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
@@ -49,26 +49,26 @@ LEAST_LEVER: Final[float] = 1e-2
 
 
 @seldom
-def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float,
-                  left: float, right: float):
+def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
+                  right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
     are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known."""
-    status = estimate_approach(left_tables, work, state, 0, left)
+    status = estimate_approach(left_tables, work, 0, left)
     if status == VALID:
-        status = estimate_approach(right_tables, work, state, 1, right)
+        status = estimate_approach(right_tables, work, 1, right)
     if status != VALID:
         return roll, status
     height, move = first_estimate(left_tables, right_tables, work)
     rigid_roll = roll
     roll += move
-    if not turn_near(left_tables, right_tables, work, state, roll):
+    if not turn_near(left_tables, right_tables, work, roll):
         return roll, OFF_PROFILE
-    roll, status = iterate(left_tables, right_tables, work, state, roll, height, left, right)
+    roll, status = iterate(left_tables, right_tables, work, roll, height, left, right)
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
     if status == NOT_CONVERGED:
-        roll, status = bracket_roll(left_tables, right_tables, work, state, rigid_roll, left, right)
+        roll, status = bracket_roll(left_tables, right_tables, work, rigid_roll, left, right)
     return roll, status
 
 
@@ -83,7 +83,7 @@ def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
     move = 0.0
     if lever_left + lever_right < -LEAST_LEVER:
         move = (right.approach - left.approach) / -(lever_left + lever_right)
-    move = limited(move, LONGEST / right_tables.arm)
+    move = limited(move, LONGEST_MOVE / right_tables.arm)
     # in one order for a wheelset and its mirror image
     height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move)
                                          + (right.approach + lever_right * move))
@@ -91,8 +91,8 @@ def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
 
 
 @seldom
-def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float, height: float,
-            left: float, right: float):
+def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float, left: float,
+            right: float):
     """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
     NOT_CONVERGED where it finds nothing."""
     method = work.broyden
@@ -119,7 +119,7 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State,
                 # nor does the change from points that are followed to those of a search
                 method.move_height = 0.0
                 method.move_roll = 0.0
-        status = balance_both(left_tables, right_tables, work, state, left, right, height)
+        status = balance_both(left_tables, right_tables, work, left, right, height)
         if status > UNLOADED:
             return roll, NOT_CONVERGED
         if trial == 0:
@@ -128,33 +128,33 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, state: State,
         if not find_move(method, work.supports, arm):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
-            if work.contact.filling and gaps_hold(left_tables, right_tables, work, state, roll):
+            if work.contact.filling and gaps_hold(left_tables, right_tables, work, roll):
                 for index in range(2):
                     work.supports[index].height = height + method.move_height
                 return roll + method.move_roll / arm, depth_outcome(work, status)
             # the same place again, with patches, or with the smaller gap that was found
             method.move_height = 0.0
             method.move_roll = 0.0
-        method.move_height = limited(method.move_height, LONGEST)
-        method.move_roll = limited(method.move_roll, LONGEST)
+        method.move_height = limited(method.move_height, LONGEST_MOVE)
+        method.move_roll = limited(method.move_roll, LONGEST_MOVE)
         height += method.move_height
         roll += method.move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
             return roll, NOT_CONVERGED
-        if not turn_near(left_tables, right_tables, work, state, roll):
+        if not turn_near(left_tables, right_tables, work, roll):
             return roll, NOT_CONVERGED
     return roll, NOT_CONVERGED
 
 
 @seldom
-def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
+def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
     """Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
 
     Between trials they are only followed: an answer is certified once.
     """
     left = work.sides[0].best_y
     right = work.sides[1].best_y
-    hold = turn_to(left_tables, right_tables, work, state, roll)
+    hold = turn_to(left_tables, right_tables, work, roll)
     if work.sides[0].best_y != left or work.sides[1].best_y != right:
         hold = False
     return hold

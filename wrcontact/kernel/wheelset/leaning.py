@@ -23,7 +23,7 @@ MEETINGS: Final[int] = 80
 SECANTS: Final[float] = 10.0
 NEARER: Final[float] = 0.5
 #: The root is taken to lie within this distance of the first contact [m].
-FARTHEST: Final[float] = 4e-3
+ROOT_WITHIN: Final[float] = 4e-3
 #: So far beside a jump rounding does not decide on which of its sides the contact is found [m].
 BESIDE: Final[float] = 1e-9
 #: A residual that was not computed [m].
@@ -54,9 +54,9 @@ def open_reference(reference: Reference, height: float, found: float):
     reference.residual = found - height
     reference.slope = -1.0
     reference.contacts = 1.0
-    reference.within.low = found - FARTHEST
+    reference.within.low = found - ROOT_WITHIN
     reference.within.at_low = UNKNOWN
-    reference.within.high = found + FARTHEST
+    reference.within.high = found + ROOT_WITHIN
     reference.within.at_high = -UNKNOWN
 
 

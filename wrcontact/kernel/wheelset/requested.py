@@ -150,9 +150,5 @@ def next_load(support: Support, share: float):
         secant = (share - support.share_before) / change
         if secant > slope / LARGEST_CHANGE and secant < slope * LARGEST_CHANGE:
             slope = secant
-    following = load - (share - 1.0) / slope
-    if following > load * LARGEST_CHANGE:
-        following = load * LARGEST_CHANGE
-    if following < load / LARGEST_CHANGE:
-        following = load / LARGEST_CHANGE
+    following = max(min(load - (share - 1.0) / slope, load * LARGEST_CHANGE), load / LARGEST_CHANGE)
     return following

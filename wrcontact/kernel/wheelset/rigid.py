@@ -35,22 +35,20 @@ def find_roll(left_tables: Tables, right_tables: Tables, work: Work, state: Stat
             work.sides[1].best_y = start.right
             warm = True
     set_reference(work.sides, 0.0)
-    roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state, guess,
-                              warm)
+    roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, guess, warm)
     if status == VALID and is_leaning(work.sides):
-        roll, status = find_leaning_roll(left_tables, right_tables, work, state, roll)
+        roll, status = find_leaning_roll(left_tables, right_tables, work, roll)
     return roll, status
 
 
-def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
+def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
     """Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
     on: both are sought together with the vertical shift."""
     open_reference(work.reference, 0.0, work.sides[1].best)
     for i in range(MEETINGS):
         height = next_reference(work.reference, RIGID_MET)
         set_reference(work.sides, height)
-        roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, state,
-                                  roll, True)
+        roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, roll, True)
         if status != VALID:
             return roll, status
         if note_reference(work.reference, height, work.sides[1].best, RIGID_MET):
@@ -58,7 +56,7 @@ def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, sta
     return roll, NOT_CONVERGED
 
 
-def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float):
+def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
     """Both wheels touch at ``roll``, and each carries its load there; the outcome."""
     status = VALID
     work.wheelset.roll = roll
@@ -66,11 +64,10 @@ def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: St
     clear_side(work.sides[0])
     clear_side(work.sides[1])
     if is_requested(right_tables, 0):
-        status = solve_side(left_tables, work, state, 0, side_force(work, 0))
+        status = solve_side(left_tables, work, 0, side_force(work, 0))
     if is_requested(right_tables, 1):
-        outcome = solve_side(right_tables, work, state, 1, side_force(work, 1))
-        if outcome > status:
-            status = outcome
+        outcome = solve_side(right_tables, work, 1, side_force(work, 1))
+        status = max(status, outcome)
     return status
 
 

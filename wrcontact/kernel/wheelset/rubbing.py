@@ -20,7 +20,7 @@ from ..creep.friction import multiply_creepages, patch_friction, slope_factor
 from ..creep.motion import (constrain_loaded, constrain_touching, open_left_rail, open_motion,
                             open_right_rail, set_contact_rates, set_rates)
 from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
-                      Patch, Rolling, RollingStrip, SideSearch, State, Tables, Work)
+                      Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
 from .forces import sum_side
 from .requested import has_creep_forces, is_requested, is_rolling
 from .side import touch_side
@@ -37,15 +37,15 @@ def open_given_motion(left_tables: Tables, right_tables: Tables, work: Work):
     set_rates(left, right, work.inputs, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
-def move_patches(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def move_patches(left_tables: Tables, right_tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
     velocity and roll rate are given, otherwise they follow from contact with both rails."""
     if not is_rolling(work.inputs):
         return
     open_given_motion(left_tables, right_tables, work)
     if right_tables.mode != MODE_COMPLIANT:
-        constrain_side(left_tables, work, state, 0)
-        constrain_side(right_tables, work, state, 1)
+        constrain_side(left_tables, work, 0)
+        constrain_side(right_tables, work, 1)
         set_contact_rates(work.sides[0].motion, work.sides[1].motion, work.inputs)
     for index in range(2):
         side = work.sides[index]
@@ -56,7 +56,7 @@ def move_patches(left_tables: Tables, right_tables: Tables, work: Work, state: S
                 move_strips(side.motion, patch)
 
 
-def constrain_side(tables: Tables, work: Work, state: State, index: int):
+def constrain_side(tables: Tables, work: Work, index: int):
     """What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
     elastic and carries a load."""
     side = work.sides[index]
@@ -65,7 +65,7 @@ def constrain_side(tables: Tables, work: Work, state: State, index: int):
         constrain_loaded(side.motion, side.forces)
     else:
         if not is_requested(tables, index):
-            touch_side(tables, work, state, index)
+            touch_side(tables, work, index)
         constrain_touching(side.motion, side.point)
 
 

@@ -12,7 +12,7 @@ from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
 from ..creep.cut import cut_patch
 from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, LATERAL_ADAPTIVE, NOT_CONVERGED, OFF_PROFILE,
-                      TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, State, Tables, Work)
+                      TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, Tables, Work)
 from ..normal.normal_contact import solve_normal
 from ..normal.patch_places import place_patches, place_strips
 from ..patch.filling import clear_patches
@@ -30,8 +30,7 @@ CORNER: Final[float] = 1e-3
 AT_END: Final[float] = 1e-8
 
 
-def describe_contact(tables: Tables, work: Work, state: State, index: int, y: float, aside: float,
-                     shift: float) -> bool:
+def describe_contact(tables: Tables, work: Work, index: int, y: float, aside: float, shift: float) -> bool:
     """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
     with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
@@ -65,7 +64,7 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     if place.leaning:
         point.contact_angle = -atan(rail_slope) - place.rail_roll
     point.rolling_radius = r
-    measure_contact(tables, frame, state)
+    measure_contact(tables, frame)
     open_contact_region(tables, frame, region)
     point.curvature_x = region.curvature
     point.curvature_y = region.bend
@@ -91,11 +90,11 @@ def clear_side(side: SideSearch):
     clear_patches(side)
 
 
-def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
+def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
     regions and outcome."""
     side = work.sides[index]
-    penetration, count, satisfied = solve_normal(tables, work.contact, state, side, force, prescribed)
+    penetration, count, satisfied = solve_normal(tables, work.contact, side, force, prescribed)
     side.penetration = penetration
     if not satisfied and count == 0:
         # it overlaps most at the end of a profile
@@ -114,20 +113,20 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     return count, VALID
 
 
-def touch_side(tables: Tables, work: Work, state: State, index: int):
+def touch_side(tables: Tables, work: Work, index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest
     gap; its outcome, UNLOADED."""
     side = work.sides[index]
     clear_side(side)
     status = UNLOADED
-    if not describe_contact(tables, work, state, index, side.best_y, 0.0, side.best):
+    if not describe_contact(tables, work, index, side.best_y, 0.0, side.best):
         status = OFF_PROFILE
     return status
 
 
-def solve_side(tables: Tables, work: Work, state: State, index: int, force: float):
+def solve_side(tables: Tables, work: Work, index: int, force: float):
     """Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome."""
-    status = touch_side(tables, work, state, index)
+    status = touch_side(tables, work, index)
     if status == UNLOADED:
         penetration = tables.penetration[index]
         pressed = force
@@ -136,27 +135,27 @@ def solve_side(tables: Tables, work: Work, state: State, index: int, force: floa
         if pressed > 0.0:
             status = VALID
             if tables.depth != DEPTH_GEOMETRY:
-                count, status = load_side(tables, work, state, index, force, penetration)
+                count, status = load_side(tables, work, index, force, penetration)
     return status
 
 
-def press_side(tables: Tables, work: Work, state: State, index: int, approach: float):
+def press_side(tables: Tables, work: Work, index: int, approach: float):
     """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
     rail most; its outcome."""
     side = work.sides[index]
     height = side.best + approach
     clear_side(side)
-    if find_points(tables, work.contact, state, side, index, height) == 0:
+    if find_points(tables, work.contact, side, index, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
     deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
     aside, shift = touching_shift(tables, side.place, deepest)
-    describe_contact(tables, work, state, index, deepest.wheel, aside, shift)
+    describe_contact(tables, work, index, deepest.wheel, aside, shift)
     press_frame(work.contact.frame, height, deepest.depth, 0.0)
     return VALID
 
 
-def find_points(tables: Tables, contact: Contact, state: State, side: SideSearch, index: int, height: float):
+def find_points(tables: Tables, contact: Contact, side: SideSearch, index: int, height: float):
     """List the deepest points of a wheel moved down by ``height`` [m]; how many.  Those of the last search
     are followed where the contact's ``following`` permits it."""
     kept = contact.deep_points[index]
@@ -164,7 +163,7 @@ def find_points(tables: Tables, contact: Contact, state: State, side: SideSearch
     if contact.following and kept.count > 0:
         count = follow_overlaps(tables, contact.overlap, kept, side.place, height)
     if count == 0:
-        count = find_overlaps(tables, contact.overlap, side, state, height)
+        count = find_overlaps(tables, contact.overlap, side, height)
     keep_points(contact.overlap, kept)
     return count
 

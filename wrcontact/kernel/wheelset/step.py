@@ -56,7 +56,7 @@ def solve_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state:
     """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
     status = stand(left_tables, right_tables, work, state)
     if status <= UNLOADED:
-        move_patches(left_tables, right_tables, work, state)
+        move_patches(left_tables, right_tables, work)
         rub_patches(left_tables, right_tables, work)
         sum_forces(right_tables, work)
     return status
@@ -68,26 +68,25 @@ def stand(left_tables: Tables, right_tables: Tables, work: Work, state: State):
     work.contact.coarse = False
     work.contact.following = False
     if right_tables.mode == MODE_COMPLIANT:
-        return solve_compliant(left_tables, right_tables, work, state)
+        return solve_compliant(left_tables, right_tables, work)
     roll, status = find_roll(left_tables, right_tables, work, state)
     if status != VALID:
         return status
     if right_tables.mode == MODE_RIGID:
-        status = solve_rigid(left_tables, right_tables, work, state, roll)
+        status = solve_rigid(left_tables, right_tables, work, roll)
     if status <= UNLOADED:
         keep_roll(work, state, roll)
     if right_tables.mode == MODE_ELASTIC:
-        status = elastic_from_rigid(left_tables, right_tables, work, state, roll)
+        status = elastic_from_rigid(left_tables, right_tables, work, roll)
     return status
 
 
-def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, state: State,
-                       rigid_roll: float):
+def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, rigid_roll: float):
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
-    roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
-                                 side_force(work, 0), side_force(work, 1))
+    roll, status = solve_elastic(left_tables, right_tables, work, rigid_roll, side_force(work, 0),
+                                 side_force(work, 1))
     if status <= UNLOADED and is_leaning(work.sides):
-        roll, status = meet_leaning(left_tables, right_tables, work, state, rigid_roll)
+        roll, status = meet_leaning(left_tables, right_tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
     return status
@@ -98,7 +97,7 @@ def support_height(work: Work):
     return 0.5 * (work.supports[0].height + work.supports[1].height)
 
 
-def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: State, rigid_roll: float):
+def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, rigid_roll: float):
     """Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
     shift; the equilibrium for the rigid height as reference is known."""
     roll = rigid_roll
@@ -107,10 +106,10 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, state: S
         height = next_reference(work.reference, ELASTIC_MET)
         set_reference(work.sides, height)
         place_both(left_tables, right_tables, work.inputs, work.sides, rigid_roll)
-        if not turn_to(left_tables, right_tables, work, state, rigid_roll):
+        if not turn_to(left_tables, right_tables, work, rigid_roll):
             return roll, OFF_PROFILE
-        roll, status = solve_elastic(left_tables, right_tables, work, state, rigid_roll,
-                                     side_force(work, 0), side_force(work, 1))
+        roll, status = solve_elastic(left_tables, right_tables, work, rigid_roll, side_force(work, 0),
+                                     side_force(work, 1))
         if status > UNLOADED:
             return roll, status
         if note_reference(work.reference, height, support_height(work), ELASTIC_MET):

@@ -7,7 +7,7 @@ vanishes in equilibrium.
 
 from typing import Final
 
-from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, State, Support, Tables, Work, seldom
+from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, Support, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from ..search.roll import follow_side, search_both, turn_both
 from .side import load_side, press_side, side_lever, touch_side
@@ -19,16 +19,15 @@ DEEPEST: Final[float] = 2e-3
 
 
 @seldom
-def estimate_approach(tables: Tables, work: Work, state: State, index: int, force: float):
+def estimate_approach(tables: Tables, work: Work, index: int, force: float):
     """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome."""
     support = work.supports[index]
-    status = touch_side(tables, work, state, index)
+    status = touch_side(tables, work, index)
     support.approach = 0.0
     if status == UNLOADED:
         status = VALID
         if force > 0.0:
-            support.approach = first_penetration(tables, work.contact, state,
-                                                 force) / work.contact.frame.plane.cos
+            support.approach = first_penetration(tables, work.contact, force) / work.contact.frame.plane.cos
     return status
 
 
@@ -36,16 +35,12 @@ def estimate_approach(tables: Tables, work: Work, state: State, index: int, forc
 def permitted_approach(support: Support, side: SideSearch, height: float):
     """How far a wheel at ``height`` is below its smallest gap [m], within the range
     in which it is pressed."""
-    approach = height - side.best
-    if approach < SHALLOWEST * support.approach:
-        approach = SHALLOWEST * support.approach
-    if approach > DEEPEST:
-        approach = DEEPEST
+    approach = min(max(height - side.best, SHALLOWEST * support.approach), DEEPEST)
     return approach
 
 
 @seldom
-def balance_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
+def balance_side(tables: Tables, work: Work, index: int, force: float, height: float):
     """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
     [m]; its outcome. Patches are those of the side under this force."""
     support = work.supports[index]
@@ -53,11 +48,11 @@ def balance_side(tables: Tables, work: Work, state: State, index: int, force: fl
     if not force > 0.0:
         support.height = side.best
         support.lever = side_lever(tables, work, index, 0)
-        return touch_side(tables, work, state, index)
+        return touch_side(tables, work, index)
     approach = permitted_approach(support, side, height)
-    status = press_side(tables, work, state, index, approach)
+    status = press_side(tables, work, index, approach)
     if status == VALID:
-        count, status = load_side(tables, work, state, index, force, tables.absent)
+        count, status = load_side(tables, work, index, force, tables.absent)
         carried = approach + (side.penetration - work.contact.frame.depth) / work.contact.frame.plane.cos
         support.height = side.best + carried
         support.lever = side_lever(tables, work, index, count)
@@ -65,40 +60,39 @@ def balance_side(tables: Tables, work: Work, state: State, index: int, force: fl
 
 
 @seldom
-def balance_both(left_tables: Tables, right_tables: Tables, work: Work, state: State, left: float,
-                 right: float, height: float):
+def balance_both(left_tables: Tables, right_tables: Tables, work: Work, left: float, right: float,
+                 height: float):
     """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
-    state.roll_count += 1.0
-    status = balance_side(left_tables, work, state, 0, left, height)
+    work.sides[1].roll_count += 1.0
+    status = balance_side(left_tables, work, 0, left, height)
     if status <= UNLOADED:
-        outcome = balance_side(right_tables, work, state, 1, right, height)
-        if outcome > status:
-            status = outcome
+        outcome = balance_side(right_tables, work, 1, right, height)
+        status = max(status, outcome)
     return status
 
 
 @seldom
-def turn_to(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
+def turn_to(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
     """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; whether both wheels are
     above their rails."""
     turn_both(work.sides, roll)
-    known = follow_side(left_tables, work.sides[0], state)
+    known = follow_side(left_tables, work.sides[0])
     if known:
-        known = follow_side(right_tables, work.sides[1], state)
-    return search_both(left_tables, right_tables, work.sides, state, known)
+        known = follow_side(right_tables, work.sides[1])
+    return search_both(left_tables, right_tables, work.sides, known)
 
 
 @seldom
-def turn_near(left_tables: Tables, right_tables: Tables, work: Work, state: State, roll: float) -> bool:
+def turn_near(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
     """Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
     be followed; whether both wheels are above their rails.  Whether there is a smaller gap is left
     open."""
     turn_both(work.sides, roll)
-    known = follow_side(left_tables, work.sides[0], state)
+    known = follow_side(left_tables, work.sides[0])
     if known:
-        known = follow_side(right_tables, work.sides[1], state)
+        known = follow_side(right_tables, work.sides[1])
     if not known:
-        known = search_both(left_tables, right_tables, work.sides, state, False)
+        known = search_both(left_tables, right_tables, work.sides, False)
     return known
 
 
