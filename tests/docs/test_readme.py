@@ -41,6 +41,9 @@ def test_files_that_are_named_exist(page):
     assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
     tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
     assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
+    package, examples = ({file.name for file in (ROOT / folder).rglob("*.py")}
+                         for folder in ("wrcontact", "examples"))
+    assert {word for word in words if re.fullmatch(r"\w+\.py", word)} <= package | tests | examples
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
