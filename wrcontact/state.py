@@ -28,13 +28,6 @@ def station_count(values):
     return columns.station_count(values.shape[-1])
 
 
-def outline_of(values, first):
-    """Stations, half-lengths and pressures (3, stations) of the side of one pose whose outputs begin at
-    ``first``."""
-    start, stations = outline_offset(values, first), station_count(values)
-    return values[start : start + layout.RUN_COUNT * stations].reshape(layout.RUN_COUNT, stations)
-
-
 def outline_offset(values, first):
     """Where the outline of the side whose outputs begin at ``first`` lies, see kernel/patch/outline.py."""
     if values.shape[-1] == layout.OUTPUT_COUNT:

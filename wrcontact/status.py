@@ -6,8 +6,17 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from .interface.friction import FRICTION, FRICTION_LIMIT
-from .interface.inputs import INPUT_NAMES, INPUT_UNITS, INPUTS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
-from .interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
+from .interface.inputs import (
+    INPUT_NAMES,
+    INPUT_UNITS,
+    INPUTS,
+    LATERAL_LIMIT,
+    RAIL_LIMIT,
+    RAIL_ROLL_LIMIT,
+    RAILS,
+    ROLL_LIMIT,
+    YAW_LIMIT,
+)
 from .kernel import layout
 from .kernel.wheelset.trial import DEEPEST
 from .methods.numbers import unit_behind

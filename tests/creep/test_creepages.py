@@ -9,8 +9,8 @@ import wrcontact
 from tests.helpers.cases import MODELS, system
 from tests.helpers.inside import work_of
 from tests.helpers.motion import creepages
-from wrcontact.interface.motion import MOTION as MOTION_INPUTS
-from wrcontact.interface.rails import RAILS
+from wrcontact.interface.inputs import MOTION as MOTION_INPUTS
+from wrcontact.interface.inputs import RAILS
 
 RADIUS = 0.46
 #: A motion in which everything moves.

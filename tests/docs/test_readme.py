@@ -7,8 +7,10 @@ import pytest
 from benchmarks import pages
 from tests.helpers.paths import ROOT, TESTS
 from wrcontact.cli import main
+from wrcontact.creep import forces
 from wrcontact.fmu import native
 from wrcontact.interface.variables import OUTPUT, VARIABLES
+from wrcontact.kernel import layout
 from wrcontact.kernel.binding.files import PLATFORMS
 from wrcontact.profiles.catalogue import BUILDERS
 
@@ -41,6 +43,9 @@ def test_files_that_are_named_exist(page):
     assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
     tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
     assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
+    package, examples = ({file.name for file in (ROOT / folder).rglob("*.py")}
+                         for folder in ("wrcontact", "examples"))
+    assert {word for word in words if re.fullmatch(r"\w+\.py", word)} <= package | tests | examples
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -93,3 +98,21 @@ def test_every_input_and_parameter_is_in_a_table():
             assert all(f'"{choice}"' in page for choice in variable.choices), variable.name
     for name in ("force", "moment", "roll", "vertical_shift", "status"):
         assert re.search(rf"^\|.*`{name}[^|]* \|", page, re.MULTILINE), name
+
+
+def test_the_model_of_one_s_own_is_a_model():
+    """The one of own_model.md, uncompiled: linear theory where creepages are small (1 %), friction times load
+    where they are large."""
+    text = (DOCS / "own_model.md").read_text(encoding="utf-8")
+    code = next(found for found in re.findall(r"```python\n(.*?)```", text, re.DOTALL) if "def solve_" in found)
+    module = {"__package__": "wrcontact.kernel.creep"}
+    exec(code, module)
+    tables = layout.Tables.at(forces.model_tables(layout.TANGENTIAL_POLACH, 210e9, 0.28))
+    found = []
+    for creepage in (1e-6, 1.0):
+        patch = layout.Patch(half_length=6e-3, half_width=4e-3, friction=0.3, creepage_x=-creepage)
+        patch.totals.load = 80e3
+        module["solve_shen"](tables, patch)
+        found.append(patch.creep_x)
+    along, _, _ = module["kalker_coefficients"](tables.rolling, 1.5)
+    assert found == pytest.approx([tables.shear_modulus * 24e-6 * along * 1e-6, 24e3], rel=0.01)

@@ -9,8 +9,7 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.friction import FRICTION
-from wrcontact.interface.motion import MOTION
-from wrcontact.interface.rails import RAILS
+from wrcontact.interface.inputs import MOTION, RAILS
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, VARIABLES
 
 pytestmark = pytest.mark.check

@@ -10,7 +10,8 @@ from data import brute_force, conformal_reference
 from data.hertz import MODULUS
 from tests.helpers.inside import tables_of
 from wrcontact import Status
-from wrcontact.halfspace import contact, deflection, missed, outputs
+from wrcontact.halfspace import contact, deflection, outputs
+from wrcontact.halfspace.contact import is_loaded
 from wrcontact.halfspace.pressed_wheel import Settings, press
 from wrcontact.halfspace.turning_gap import REACH_X
 from wrcontact.halfspace.wheel_on_rail import wheel_on_rail
@@ -68,7 +69,7 @@ def test_no_patch_is_missed(name):
     x, s = np.linspace(-REACH_X, REACH_X, 151), np.linspace(surfaces.curve.s[0], surfaces.curve.s[-1], 701)
     depth = contact.penetration * surfaces.share(s) - surfaces.gap(x, s)
     i, j = np.nonzero(depth > 0.0)
-    away = np.array([not missed.is_loaded(contact, x[a], s[b]) for a, b in zip(i, j)], dtype=bool)
+    away = np.array([not is_loaded(contact, x[a], s[b]) for a, b in zip(i, j)], dtype=bool)
     i, j = i[away], j[away]
     overlap = depth[i, j] - deflection_at(wheel, x[i], s[j])
     assert np.max(overlap, initial=0.0) < 0.01 * contact.penetration

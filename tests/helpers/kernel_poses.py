@@ -4,7 +4,7 @@ import numpy as np
 
 import wrcontact
 from tests.helpers.cases import input_row
-from wrcontact.interface.rails import RAILS
+from wrcontact.interface.inputs import RAILS
 from wrcontact.kernel.layout import IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT
 
 RAIL_PLACES = range(7, 7 + len(RAILS))

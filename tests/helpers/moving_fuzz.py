@@ -8,8 +8,7 @@ import wrcontact
 from tests.helpers.cases import CREEP_MODELS, MODELS
 from tests.helpers.fuzzing import INCLINATIONS, log_uniform
 from tests.helpers.fuzzing import RAILS as RAIL_PROFILES
-from wrcontact.interface.motion import MOTION
-from wrcontact.interface.rails import RAILS
+from wrcontact.interface.inputs import MOTION, RAILS
 
 SIDES = ("left", "right")
 MODES = ("rigid", "elastic", "compliant")

@@ -10,7 +10,7 @@ import wrcontact
 from data import brute_force
 from tests.helpers import derivatives
 from tests.helpers.surface_witness import assert_positions
-from wrcontact.interface.rails import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
+from wrcontact.interface.inputs import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from wrcontact.interface.variables import VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.status import Status

@@ -12,7 +12,7 @@ from data import brute_force
 from tests.helpers import derivatives
 from tests.helpers.mirror import side_signs
 from tests.helpers.surface_witness import assert_positions
-from wrcontact.interface.rails import RAILS
+from wrcontact.interface.inputs import RAILS
 from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.status import Status

@@ -11,8 +11,7 @@ from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
 from ..kernel.prepare import tables as fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
-from .checks import check_number
-from .patch import CreepPatch
+from .patch import CreepPatch, check_number
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from .checks import check_number
-from .patch import outlined_patch
+from .patch import check_number, outlined_patch
 
 
 def patch_of(state, side, number=0, *, slant=0.0, youngs_modulus=210e9, poisson_ratio=0.28):

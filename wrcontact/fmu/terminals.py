@@ -4,8 +4,8 @@ from xml.etree.ElementTree import Element, SubElement
 
 from ..conventions import SIDES
 from ..interface.friction import FRICTION as FRICTION_INPUTS
-from ..interface.motion import MOTION as MOTION_INPUTS
-from ..interface.rails import RAILS as RAIL_INPUTS
+from ..interface.inputs import MOTION as MOTION_INPUTS
+from ..interface.inputs import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from .archive import SOURCES
 from .description import xml_file

@@ -172,7 +172,7 @@ def outline_of_strips(patch):
 def share_rows(patch, found):
     """Each strip's part of the tractions on the fine grid, per width [N/m]."""
     field, tractions = found.fine.field, found.fine.tractions
-    along, across = tractions.sum(axis=2) * field.steps[1]
+    along, across = found.fine.line_loads()
     turning = (tractions[1] * field.x).sum(axis=1) * field.steps[1]
     for strip in patch.strips:
         force_x, force_y, moment = (np.interp(strip.y, field.y, each) for each in (along, across, turning))

@@ -1,10 +1,15 @@
-"""The inputs: one row for each, in the order of the kernel's array."""
+"""The inputs: one row for each, in the order of the kernel's array; those of friction are in friction.py."""
 
 from .friction import FRICTION
-from .motion import MOTION
-from .rails import RAILS
 from .rows import Input
 
+#: Permitted size of a rail's displacement [m] and of its roll [rad].
+RAIL_LIMIT, RAIL_ROLL_LIMIT = 0.05, 0.05
+#: Permitted size of the speed [m/s], other velocities [m/s], rotations [rad/s], the wheels' rotation [rad/s]
+#: and the curvature of the track [1/m]; beyond them a value has lost its unit.
+SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 20.0, 100.0, 2000.0, 0.1
+#: Where the contact determines it, an input of this kind is not read.
+DERIVED = "in other contact modes it follows from contact with both rails, and this input is not read"
 #: Permitted |lateral shift| [m] and |yaw| [rad]; beyond it the contact leaves the profiles' running surfaces.
 LATERAL_LIMIT, YAW_LIMIT = 0.015, 0.12
 #: Permitted |roll| [rad], within which the roll is searched; 12 mm of lateral shift need 0.013.
@@ -12,6 +17,44 @@ ROLL_LIMIT = 0.12
 #: Declared range of the height in compliant contact [m]: a flange on top of the rail lifts the wheelset by 28
 #: mm.
 HEIGHT_LIMIT = 0.05
+
+
+def _rail(side, part, unit, nominal, meaning, limit, **more):
+    """An input of the rail of one side."""
+    return Input(f"{side}.rail_{part}", unit, nominal, meaning, -limit, limit, field=f"{side}_rail_{part}",
+                 place=f"{side.capitalize()} rail", **more)
+
+
+RAILS = tuple(row for side in ("left", "right") for row in (
+    _rail(side, "lateral", "m", 1e-3, "displacement from its nominal place, to the right", RAIL_LIMIT),
+    _rail(side, "vertical", "m", 1e-3, "displacement from its nominal place, down", RAIL_LIMIT),
+    _rail(side, "roll", "rad", 1e-2, "rotation about its highest point in its nominal place, positive with "
+          "the right side down", RAIL_ROLL_LIMIT)))
+
+MOTION = (
+    Input("speed", "m/s", 10.0, "Speed along the track; creepages need speed or wheel_rate",
+          -SPEED_LIMIT, SPEED_LIMIT, limited=True),
+    Input("lateral_velocity", "m/s", 0.01, "How fast the lateral shift grows",
+          -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
+    Input("vertical_velocity", "m/s", 0.01, "How fast the vertical shift grows in the contact_mode "
+          f"compliant; {DERIVED}", -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
+    Input("yaw_rate", "rad/s", 0.1, "How fast the yaw grows, excluding the rotation of the track in a curve",
+          -RATE_LIMIT, RATE_LIMIT, limited=True),
+    Input("roll_rate", "rad/s", 0.01, f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
+          -RATE_LIMIT, RATE_LIMIT, limited=True),
+    Input("wheel_rate", "rad/s", 20.0, "Rotation of the wheelset about its axle, positive when it rolls "
+          "forward; 0 with free_rolling means speed / nominal_radius",
+          -WHEEL_LIMIT, WHEEL_LIMIT, limited=True),
+    Input("free_rolling", "1", 1.0, "Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it "
+          "means wheels that do not turn", 0.0, 1.0, start=1.0, switch=True),
+    Input("track_curvature", "1/m", 1e-3, "Curvature of the track, 1 / radius, positive in a curve to the "
+          "right", -CURVATURE_LIMIT, CURVATURE_LIMIT, limited=True),
+    *(row for side in ("left", "right") for row in (
+        _rail(side, "lateral_velocity", "m/s", 0.01, "velocity to the right", VELOCITY_LIMIT, limited=True),
+        _rail(side, "vertical_velocity", "m/s", 0.01, "velocity down", VELOCITY_LIMIT, limited=True),
+        _rail(side, "roll_velocity", "rad/s", 0.1, "rotation about its highest point, right side down",
+              RATE_LIMIT, limited=True))),
+)
 
 INPUTS = (
     Input("lateral_shift", "m", 1e-3,
