@@ -34,6 +34,7 @@ from wrcontact.progress import tracked
 from . import random_poses, times
 from .machine import Cost, cost, costs
 from .rows import fmu_step, python_fmu
+from .store import short
 
 STORED = CREEP / "held_out.json"
 SEED, FIRST = 2112, 700_000
@@ -66,8 +67,8 @@ def solved_ellipse(random):
     poisson_ratio = random.uniform(*POISSON)
     a, b = size * math.sqrt(ratio), size / math.sqrt(ratio)
     motion = random_motion(random, (a, b), load, poisson_ratio)
-    return rounded({"a": a / MM, "b": b / MM, "N": load, "nu": poisson_ratio, **kept(motion),
-                    "force": forces(roll_ellipse(a, b, load, **motion))})
+    return short({"a": a / MM, "b": b / MM, "N": load, "nu": poisson_ratio, **kept(motion),
+                  "force": forces(roll_ellipse(a, b, load, **motion))}, DIGITS)
 
 
 def solved_patch(random, name, outline):
@@ -78,11 +79,11 @@ def solved_patch(random, name, outline):
     slant = np.polyfit(outline.station[1:-1], outline.middle[1:-1], 1)[0]
     straight = Outline.of_stations(outline.station, outline.half_length, outline.pressure,
                                    slant * outline.station)
-    return rounded({"name": name, "a": a / MM, "b": b / MM, "N": load, "nu": STEEL, **kept(motion),
-                    "force": forces(roll_outline(straight, **motion)),
-                    "ellipse": forces(roll_ellipse(a, b, load, **motion)),
-                    "slant": slant, "y": outline.station / MM, "half_length": outline.half_length / MM,
-                    "pressure": outline.pressure / 1e6})
+    return short({"name": name, "a": a / MM, "b": b / MM, "N": load, "nu": STEEL, **kept(motion),
+                  "force": forces(roll_outline(straight, **motion)),
+                  "ellipse": forces(roll_ellipse(a, b, load, **motion)),
+                  "slant": slant, "y": outline.station / MM, "half_length": outline.half_length / MM,
+                  "pressure": outline.pressure / 1e6}, DIGITS)
 
 
 def patches():
@@ -138,17 +139,6 @@ def kept(motion):
 def forces(found):
     """Force x, y [N] and moment [N mm] (3,)."""
     return [found.force_x, found.force_y, found.moment / MM]
-
-
-def rounded(row):
-    """Numbers with DIGITS significant digits, also in lists."""
-    return {name: value if isinstance(value, str) else shortened(value) for name, value in row.items()}
-
-
-def shortened(value):
-    if np.ndim(value):
-        return [shortened(each) for each in value]
-    return float(f"{float(value):.{DIGITS}g}")
 
 
 # ----------------------------------------------------------------------------------------- what is made of it
@@ -292,8 +282,7 @@ def tangential_times(effort):
     patches, unit = patches_of(inputs), min(each.unit for each in found.values())
     best = {key: Cost(each.seconds, unit) for key, each in found.items()}       # differences need one unit
     without = best[ALONE, WITHOUT].seconds
-    return {**{model: alone(Cost((best[ALONE, model].seconds - without) / patches, unit))
-               for model in TIMED},
+    return {**{model: Cost((best[ALONE, model].seconds - without) / patches, unit).kept() for model in TIMED},
             **{element: {model: best[element, model].units for model in (WITHOUT, *TIMED)}
                for element in ELEMENTS},
             FMU: fmu_steps(inputs, effort),
@@ -319,11 +308,6 @@ def moving(count, every=1):
                       (layout.IN_YAW_RATE, layout.IN_YAW)):
         inputs[:, place] = np.gradient(inputs[:, of], every * times.STEP)
     return inputs
-
-
-def alone(found):
-    """A :class:`~benchmarks.machine.Cost` as it is kept."""
-    return {"units": found.units, "µs": found.microseconds}
 
 
 def patches_of(inputs):

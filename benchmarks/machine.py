@@ -39,6 +39,10 @@ class Cost(NamedTuple):
     def units(self):
         return self.seconds / self.unit
 
+    def kept(self):
+        """What is kept of it."""
+        return {"units": self.units, "µs": self.microseconds}
+
     def least(self, other):
         """The smaller of each; ``other`` may be None."""
         return Cost(min(self.seconds, other.seconds), min(self.unit, other.unit)) if other else self

@@ -84,7 +84,7 @@ def model_times(effort):
 
 def timed(costs):
     """Costs by name as they are kept."""
-    return {name: {"units": cost.units, "µs": cost.microseconds} for name, cost in costs.items()}
+    return {name: cost.kept() for name, cost in costs.items()}
 
 
 def skip_times(effort):

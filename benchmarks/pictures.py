@@ -64,14 +64,9 @@ def figure(rows):
     """The picture (a matplotlib Figure) of ``rows``, each a :class:`Point`."""
     picture = style.new_figure(8.6, 5.4)
     axes = picture.subplots()
-    axes.set(xscale="log", yscale="log", xlim=(FASTEST, SLOWEST), ylim=(LOWEST, HIGHEST),
-             xlabel="one wheelset, both patches [µs]",
-             ylabel="error on 20 positions from tread to flange [%]\nmean of penetration, area and peak "
-             "pressure")
-    axes.grid(which="major", color="#E4E4E4", linewidth=0.7)
-    axes.set_axisbelow(True)
-    for axis, form in ((axes.xaxis, ",.0f"), (axes.yaxis, "g")):
-        axis.set_major_formatter(lambda value, _, form=form: format(value, form))
+    open_axes(axes, (FASTEST, SLOWEST), (LOWEST, HIGHEST), "one wheelset, both patches [µs]", ",.0f")
+    axes.set_ylabel("error on 20 positions from tread to flange [%]\nmean of penetration, area and peak "
+                    "pressure")
     draw_units(axes, rows[0].microseconds / rows[0].units)
     draw_strips(axes, [row for row in rows if row.kind == "strips"])
     for kind in LADDERS:
@@ -80,6 +75,15 @@ def figure(rows):
     draw_peers(axes)
     axes.legend(loc="center", bbox_to_anchor=(0.52, 0.6), title="measured in this run", alignment="left")
     return picture
+
+
+def open_axes(axes, times, errors, words, form="g"):
+    """Logarithmic axes over these ranges of times [us], whose numbers have this ``form``, and errors [%]."""
+    axes.set(xscale="log", yscale="log", xlim=times, ylim=errors, xlabel=words)
+    axes.grid(which="major", color="#E4E4E4", linewidth=0.7)
+    axes.set_axisbelow(True)
+    axes.xaxis.set_major_formatter(lambda value, _: format(value, form))
+    axes.yaxis.set_major_formatter(lambda value, _: format(value, "g"))
 
 
 def draw_units(axes, one):
@@ -165,13 +169,9 @@ def creep_figure(errors, times):
     panels = picture.subplots(1, 2, sharey=True)
     one = times["strips"]["µs"] / times["strips"]["units"]
     for axes, (ours, theirs, title) in zip(panels, PANELS):
-        axes.set(xscale="log", yscale="log", xlim=(CREEP_FASTEST, CREEP_SLOWEST),
-                 ylim=(CREEP_LOWEST, CREEP_HIGHEST), xlabel="creep forces of one patch [µs]")
+        open_axes(axes, (CREEP_FASTEST, CREEP_SLOWEST), (CREEP_LOWEST, CREEP_HIGHEST),
+                  "creep forces of one patch [µs]")
         axes.set_title(title, pad=8)
-        axes.grid(which="major", color="#E4E4E4", linewidth=0.7)
-        axes.set_axisbelow(True)
-        for axis in (axes.xaxis, axes.yaxis):
-            axis.set_major_formatter(lambda value, _: f"{value:g}")
         draw_units(axes, one)
         draw_models(axes, errors, times, ours)
         draw_quoted(axes, errors, theirs)

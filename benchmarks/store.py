@@ -52,12 +52,12 @@ def load(part):
     return json.loads(path(part).read_text(encoding="utf-8"))
 
 
-def short(value):
-    """Numbers with DIGITS significant digits, also within lists and dicts; numpy's become Python's."""
+def short(value, digits=DIGITS):
+    """Numbers with so many significant digits, also within lists and dicts; numpy's become Python's."""
     if isinstance(value, dict):
-        return {name: short(each) for name, each in value.items()}
+        return {name: short(each, digits) for name, each in value.items()}
     if isinstance(value, str | bool | int):
         return value
     if hasattr(value, "__iter__"):
-        return [short(each) for each in value]
-    return float(f"{float(value):.{DIGITS}g}")
+        return [short(each, digits) for each in value]
+    return float(f"{float(value):.{digits}g}")

@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
 import wrcontact  # noqa: E402
+from benchmarks.tables import grid  # noqa: E402
 from data import hunting_theory as theory  # noqa: E402
 from data import manchester  # noqa: E402
 from examples.hunting_wheelset import coupling, curve_entry, energy, hunting, long_run, structure  # noqa: E402
@@ -29,8 +30,7 @@ MODELS = ("strips", "fastsim", "fastrip", "polach")
 
 def table(head, rows):
     """Lines of a Markdown table; the first column is text."""
-    return [f"| {' | '.join(head)} |", "| --- |" + " ---: |" * (len(head) - 1),
-            *(f"| {' | '.join(row)} |" for row in rows)]
+    return grid(head, rows).splitlines()
 
 
 def klingel(archives):

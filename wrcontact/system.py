@@ -26,7 +26,7 @@ from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, w
 from .kernel import layout
 from .kernel.binding.setup import prepare_sides
 from .methods import Halfspace, HalfspaceRolling
-from .profiles.find import find_profile
+from .profiles.catalogue import find_profile
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status

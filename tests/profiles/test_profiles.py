@@ -8,10 +8,9 @@ from wrcontact.kernel.layout import PIECE_SIZE, offset
 from wrcontact.kernel.layout import Profile as Table
 from wrcontact.kernel.surface import tables
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
-from wrcontact.profiles.catalogue import standard_name
+from wrcontact.profiles.catalogue import find_profile, standard_name
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.files import prepared_text
-from wrcontact.profiles.find import find_profile
 from wrcontact.profiles.placement import place_rail
 from wrcontact.profiles.zones import Polynomial
 

@@ -26,7 +26,7 @@ from wrcontact.cli import main
 from wrcontact.fmu.archive import chosen_profiles
 from wrcontact.fmu.native import packed_profiles
 from wrcontact.profiles.files import prepared_text
-from wrcontact.profiles.outliers import _run_errors
+from wrcontact.profiles.flaws import _run_errors
 from wrcontact.profiles.remarks import remarks_in_lines
 from wrcontact.profiles.smoothing import noise_of
 

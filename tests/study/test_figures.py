@@ -10,12 +10,12 @@ import pytest
 from matplotlib.image import imread
 
 from data import brute_force
-from tests.helpers.paths import DATA, ROOT
+from tests.helpers.paths import DATA
 from tests.helpers.source_study import STUDY
 from wrcontact import ContactSystem
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
-from wrcontact.study.figure import FAILS, HOLDS, PARTLY, rows_of
+from wrcontact.study.figure import FAILS, HOLDS, PARTLY
 from wrcontact.study.figures import chosen, compute, index, known, summary
 from wrcontact.study.pictures import DRAWN, source_figure
 from wrcontact.study.search import lever_share
@@ -44,10 +44,9 @@ def reference_jumps(yaw):
 
 def at(number, curve, shift):
     """A curve of a figure at a lateral shift [mm]."""
-    rows = rows_of(figure(number).columns, curve=curve)
     value = list(figure(number).columns)[2]
-    return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float)
-                                                            - shift))])
+    shifts, values = figure(number).curve(curve, "lateral shift [mm]", value)
+    return float(values[np.argmin(np.abs(shifts - shift))])
 
 
 # --- chapters 4 and 5 -----------------------------------------------------------------------------
@@ -348,32 +347,3 @@ def test_section_is_prepared_for_the_pose():
     slopes = [curve.direction(curve.origin) for curve in (section.wheel, section.rail)]
     assert slopes[0] == pytest.approx(slopes[1], abs=1e-9)
     assert slopes[0] == pytest.approx(-section.angle, abs=1e-9)
-
-
-# --- documentation --------------------------------------------------------------------------------
-
-
-NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
-
-
-def same_words(told, found):
-    """Whether two sentences are the same but for the last digit of their numbers; powers of ten but
-    for a factor of three."""
-    if NUMBER.sub("#", told) != NUMBER.sub("#", found):
-        return False
-    for one, other in zip(NUMBER.findall(told), NUMBER.findall(found)):
-        unit = 10.0**-len(one.partition(".")[2]) if "e" not in one else 3 * float(one)
-        if abs(float(one) - float(other)) > 1.01 * unit:
-            return False
-    return True
-
-
-@pytest.mark.machine
-@pytest.mark.parametrize("number", NUMBERS)
-def test_documentation_has_today_s_numbers(number):
-    """The table is what ``python -m wrcontact.study.figures`` prints."""
-    page = (ROOT / "docs" / "source_study.md").read_text(encoding="utf-8")
-    row = re.search(rf"^\| {re.escape(number)} \| (.*) \| (.*) \| (.*) \| (.*) \|$", page, re.MULTILINE)
-    found = figure(number)
-    assert row and row[1] == found.claim and row[2] == found.verdict
-    assert same_words(row[3], found.finding) and same_words(row[4], found.key)

@@ -10,8 +10,7 @@ from data.hertz import MODULUS
 from tests.helpers.inside import lateral_curvatures
 from tests.helpers.source_study import STUDY
 from wrcontact import ContactSystem
-from wrcontact.study.analyn import corrected, solve_analyn
-from wrcontact.study.sections import circle_curvature, rough_curvature
+from wrcontact.study.sections import circle_curvature, corrected, rough_curvature, solve_analyn
 
 
 @pytest.mark.parametrize("A, B", [(1.0, 1.0), (1.0, 8.0), (6.0, 1.0)])

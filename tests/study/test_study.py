@@ -14,11 +14,18 @@ from wrcontact.study import (
     DenserSearch,
     Search2D,
     Search3D,
-    constraints,
     exact_result,
+    variants,
 )
-from wrcontact.study.search import jump_to_flange, lever_share, longitudinal_limit, wang_shift
-from wrcontact.study.surfaces import Pose, Surfaces, profile_nodes
+from wrcontact.study.search import (
+    Pose,
+    Surfaces,
+    jump_to_flange,
+    lever_share,
+    longitudinal_limit,
+    profile_nodes,
+    wang_shift,
+)
 
 pytestmark = pytest.mark.check
 
@@ -104,7 +111,7 @@ def test_corrected_shift_of_wang_is_the_contact_locus(roll, yaw, slope):
     t = math.tan(yaw) * math.sin(roll)
     phi = -math.atan(t) - math.asin(math.tan(yaw) * math.cos(roll) * slope / math.sqrt(1 + t * t))
     pose = Pose(0.0, yaw, roll)
-    contact, lowest = (constraints.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle))
+    contact, lowest = (variants.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle))
                        for angle in (phi, 0.0))
     np.testing.assert_allclose(wang_shift(0.47, -slope, roll=roll, yaw=yaw), np.subtract(contact, lowest),
                                atol=1e-15)

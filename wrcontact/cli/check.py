@@ -10,10 +10,10 @@ from rich import box
 from rich.table import Table
 
 from ..conditioning.conformal import NEAR
-from ..conditioning.jumps import merged_jumps
+from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
 from ..interface.parameters import GEOMETRY, LEFT, SIDED
-from .report import console
+from .report import console, plain
 
 #: Lateral shifts of the printed table [mm].
 PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
@@ -175,17 +175,4 @@ def check_text(report):
     if not report.system.equal_sides:
         system |= {"left_wheel": report.left_wheel.name, "left_rail": report.left_rail.name,
                    **{LEFT + name: left[name] for name in SIDED if name in GEOMETRY}}
-    return json.dumps(_plain({**fields, "system": system}), indent=1)
-
-
-def _plain(value):
-    """``value`` in terms of dicts, lists and plain numbers."""
-    if dataclasses.is_dataclass(value):
-        return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
-    if isinstance(value, dict):
-        return {name: _plain(entry) for name, entry in value.items()}
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return [_plain(entry) for entry in value]
-    if isinstance(value, float):
-        return float(value) if math.isfinite(value) else None
-    return value
+    return json.dumps(plain({**fields, "system": system}), indent=1)

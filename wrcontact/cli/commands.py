@@ -17,8 +17,20 @@ from ..progress import working
 from ..status import Status
 from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
-from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
-from .profile_files import reads_files
+from .options import (
+    GEOMETRY,
+    LOAD,
+    POSE,
+    SYSTEM,
+    Typed,
+    name_of,
+    number,
+    option_of,
+    reads_files,
+    remark_words,
+    takes,
+    typed,
+)
 from .report import (
     Remark,
     has_model,
@@ -31,7 +43,6 @@ from .report import (
     sweep_outputs,
 )
 from .tables import writes_tables
-from .terms import Typed, remark_words, typed
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,

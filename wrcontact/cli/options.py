@@ -1,7 +1,8 @@
-"""Command line options, made from the table of variables, in display units.
+"""Command line options, and sentences in their names and units.
 
-``lateral_shift`` [m] becomes ``--lateral-shift-mm``; the command receives the value in SI.  An option that is
-not given leaves the package's default.
+They are made from the table of variables, in display units: ``lateral_shift`` [m] becomes
+``--lateral-shift-mm``, and the command receives the value in SI.  An option that is not given leaves the
+package's default.  Others, such as ``--rail-mirror-y``, tell how a file of points is read.
 """
 
 import re
@@ -15,9 +16,12 @@ import typer
 from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 from ..interface.parameters import LEFT, PARAMETERS
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
+from ..methods.numbers import UnusualValueWarning
 from ..profiles import RAILS, WHEELS
-from ..status import distinct
-from .door import Refused
+from ..profiles.options import ENDINGS, ProfileFile, parsed
+from ..profiles.options import WORDS as FILE_WORDS
+from ..status import Terms, distinct
+from .door import Refused, sentences
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3,
@@ -169,3 +173,116 @@ def _checked(variable, value):
 
 def _in_si(variable, value):
     return TO_SI.get(_display(variable), lambda same: same)(value)
+
+
+# --- how files of points are read ---------------------------------------------------------------------------
+
+KINDS = ("wheel", "rail")
+FILE_PANEL = "Files of profiles"
+
+
+def reads_files(command):
+    """Decorator that adds these options to a command with ``--wheel`` and ``--rail``; the command receives a
+    :class:`~wrcontact.ProfileFile` if one of them is given."""
+
+    @wraps(command)
+    def with_options(**given):
+        for kind in KINDS:
+            chosen = {name: given.pop(f"{kind}_{name}") for name in _names(kind)}
+            chosen = {name: value for name, value in chosen.items() if value is not None}
+            if chosen and given[kind] is None:
+                name = _file_option_name(kind, next(iter(chosen)))
+                raise Refused(f"{name} is given; it is permitted only with --{kind} FILE")
+            if chosen:
+                with sentences():
+                    given[kind] = ProfileFile(given[kind], **chosen)
+        return command(**given)
+
+    options = [_file_option(kind, name) for kind in KINDS for name in _names(kind)]
+    own = list(signature(command).parameters.values())
+    with_options.__signature__ = Signature(own + options)
+    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
+    return with_options
+
+
+def _names(kind):
+    """The options of a ``kind`` of profile; a wheel has no inclination."""
+    return [name for name in ENDINGS if kind == "rail" or name != "file_inclination"]
+
+
+def _file_option_name(kind, name):
+    return f"--{kind}-{ENDINGS[name]}"
+
+
+def _file_option(kind, name):
+    """The command's parameter for one option; None if it is not given."""
+    words = f"{kind.capitalize()}: {FILE_WORDS[name][0].lower()}{FILE_WORDS[name][1:]}"
+    flags, reading, value = _file_option_name(kind, name), {}, str
+    if name.startswith("mirror"):
+        flags, value = f"{flags}/--no-{flags[2:]}", bool
+    elif name == "select":
+        reading = {"metavar": "NUMBER|NAME", "parser": lambda text: int(text) if text.isdecimal() else text}
+    else:
+        reading = {"metavar": {"shift": "Y,Z"}.get(name, "NUMBER"), "parser": _parser(name)}
+    option = typer.Option(flags, help=words, show_default=False, rich_help_panel=FILE_PANEL, **reading)
+    return Parameter(f"{kind}_{name}", Parameter.KEYWORD_ONLY, default=None,
+                     annotation=Annotated[value | None, option])
+
+
+def _parser(name):
+    def parse(text):
+        try:
+            return parsed(name, text)
+        except ValueError as wrong:
+            raise typer.BadParameter(str(wrong)) from None
+
+    return parse
+
+
+# --- sentences in the names and units that the user typed ---------------------------------------------------
+
+INPUTS = {v.name: v for v in VARIABLES if v.causality == INPUT}
+OPTIONS = {v.keyword: option_of(v) for v in VARIABLES if v.keyword}
+
+
+class Typed(Terms):
+    """Options such as ``--lateral-shift-mm``, and values in display units; ``aside`` has other names for
+    inputs that the command has no option for."""
+
+    def __init__(self, **aside):
+        self.aside = aside
+
+    def name(self, name):
+        return self.aside.get(name) or option_of(INPUTS[name])
+
+    def value(self, name, value, limit=float("nan")):
+        unit = UNITS[INPUTS[name].unit]
+        text = distinct(value * unit.display_factor, limit * unit.display_factor)
+        return f"{text} {unit.display}" if unit.display else text
+
+    def length(self, value):
+        return f"{value * 1e3:g} mm"
+
+
+#: In a sweep the lateral shift is not an option of its own.
+SWEEP = Typed(lateral_shift="lateral shift")
+
+
+def typed(sentence):
+    """A sentence of :class:`~wrcontact.ContactSystem` with options in place of its keywords."""
+    for keyword, option in OPTIONS.items():
+        first = "^" if keyword in ("wheel", "rail", "left_wheel", "left_rail", "load") else r"\b(?<![-'])"
+        if keyword in PARAMETERS:
+            sentence = re.sub(rf"{first}{keyword}\b(?= is |[^\w'-]|$)", option, sentence)
+    return sentence
+
+
+def remark_words(remark):
+    """The text of a warning, with options and display units in place of keywords and SI."""
+    if not isinstance(remark, UnusualValueWarning):
+        return str(remark)
+    unit = UNITS[remark.unit]
+    value, low, high = (f"{number * unit.display_factor:g}" for number in (remark.value, *remark.usual))
+    behind = f" {unit.display}" if unit.display else ""
+    option = OPTIONS.get(remark.name) or option_of(INPUTS[remark.name])
+    return f"{option} is {value}{behind}; usual is {low} ... {high}{behind}. It is used as it is."

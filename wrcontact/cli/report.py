@@ -1,5 +1,6 @@
 """Output of the command line: one state, and a sweep."""
 
+import dataclasses
 import json
 import math
 from operator import attrgetter
@@ -15,7 +16,7 @@ from ..interface.rows import single_numbers
 from ..kernel import layout
 from ..results.words import shown, unit_name
 from ..status import Status, explain
-from .terms import SWEEP, Typed
+from .options import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
 #: What only creep forces give, and the parts of a force without them.
@@ -138,16 +139,20 @@ def state_text(system, state):
     """One state as JSON in SI, with the Python names; null where there is no value."""
     content = state.to_dict()
     words = sentence(state.status, state.inputs, is_compliant(system))
-    return json.dumps(_plain({"status": content.pop("status"), "explanation": words, **content}), indent=2)
+    return json.dumps(plain({"status": content.pop("status"), "explanation": words, **content}), indent=2)
 
 
-def _plain(value):
-    """``value`` for JSON; None for NaN and infinity."""
+def plain(value):
+    """``value`` for JSON, in terms of dicts, lists and plain numbers; None for NaN and infinity."""
+    if dataclasses.is_dataclass(value):
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     if isinstance(value, dict):
-        return {name: _plain(entry) for name, entry in value.items()}
-    if isinstance(value, list):
-        return [_plain(entry) for entry in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+        return {name: plain(entry) for name, entry in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [plain(entry) for entry in value]
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    return value
 
 
 # --- sweeps --------------------------------------------------------------------------------------

@@ -10,8 +10,7 @@ The package uses a ContactSystem; nothing in a simulation or an FMU uses it.
 
 from .conformal import ConformalZone
 from .conicity import Conicity, equivalent_conicity
-from .curves import Curves, SideCurves
-from .jumps import Jump, find_jumps
+from .curves import Curves, Jump, SideCurves, find_jumps
 from .quality import ProfileQuality
 from .report import Conditioning, check
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..kernel.layout import Profile
 from ..profiles.compiled import evaluate_table, places
-from ..profiles.reading import Reading
+from ..profiles.remarks import Reading
 from ..results.words import ShortText
 
 #: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the
@@ -33,7 +33,7 @@ class ProfileQuality(ShortText):
     kinks : (y [m], change of angle [rad]) of the joints whose angle changes by more than KINK.
     curvature_step : largest step of the curvature at a joint [1/m].
     roughness : median deviation of the curvature from its mean over SMOOTH [1/m].
-    reading : :class:`~wrcontact.profiles.reading.Reading` of a file of points; None for other profiles.
+    reading : :class:`~wrcontact.profiles.remarks.Reading` of a file of points; None for other profiles.
     """
 
     name: str

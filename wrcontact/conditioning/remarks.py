@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .jumps import merged_jumps
+from .curves import merged_jumps
 
 # [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
 LEAST_RANGE = 1e-3

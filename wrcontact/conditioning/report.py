@@ -13,8 +13,16 @@ from ..status import Status
 from ..system import ContactSystem
 from .conformal import conformal_zones, near_stretches
 from .conicity import AMPLITUDES, Conicity, conicities
-from .curves import Curves, SideCurves, geometry, jump_distance, radius_difference, rates
-from .jumps import RESOLUTION, find_jumps
+from .curves import (
+    RESOLUTION,
+    Curves,
+    SideCurves,
+    find_jumps,
+    geometry,
+    jump_distance,
+    radius_difference,
+    rates,
+)
 from .quality import ProfileQuality, profile_quality
 from .remarks import FLANGE, LEAST_RANGE, sentences
 

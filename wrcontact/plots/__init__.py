@@ -6,7 +6,7 @@
 >>> wrcontact.plots.save(figure, "pose.png")                                                # doctest: +SKIP
 """
 
-from ..conditioning.jumps import find_jumps
+from ..conditioning.curves import find_jumps
 from .check import check_figure
 from .demo import demo_figure
 from .patch import outline_figure

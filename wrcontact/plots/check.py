@@ -7,7 +7,7 @@ import numpy as np
 
 from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
-from ..conditioning.jumps import merged_jumps
+from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
 from ..profiles.compiled import evaluate_table, places
 from .style import (
@@ -34,7 +34,8 @@ STEP = 0.2e-3  # [m] spacing of the points of a drawn profile
 MARGIN = 8e-3  # [m] of the profiles beside the outermost contacts
 FINE_AMPLITUDES = np.arange(5, 81) * 1e-4  # [m] of the drawn conicity
 SHIFT_COLOURS = "viridis"
-LEVEL_COLOUR, ROLLED_COLOUR = "#009E73", INK
+#: Curves of the conicity in the report, their colours and words.
+SWINGS = ("rolled", INK, "with roll"), ("level", "#009E73", "without roll")
 BROKEN = {"linestyle": ":", "linewidth": 1.2}
 
 
@@ -65,13 +66,17 @@ def _headline(report):
             f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm{differing_left(report.system)}")
 
 
+def _head(panel, label, title):
+    panel.set_label(label)
+    panel.set_title(title)
+
+
 # --- places of contact -----------------------------------------------------------------------------
 
 
 def draw_places(figure, panel, report, of="right"):
     """Wheel above rail, contact points joined by lines coloured by the lateral shift; jumps are dotted."""
-    panel.set_label("places")
-    panel.set_title(f"Contact points of {of} wheel and rail; dotted beside a jump")
+    _head(panel, "places", f"Contact points of {of} wheel and rail; dotted beside a jump")
     wheel, rail, y_top = report.system.profile_tables(of)
     on_wheel, on_rail = ((report.wheel, report.rail) if of == "right"
                          else (report.left_wheel, report.left_rail))
@@ -135,15 +140,12 @@ def _shown_jumps(report, side):
 
 def draw_radii(panel, report):
     """Rolling radius difference [mm] against the lateral shift, with and without roll."""
-    panel.set_label("radii")
-    panel.set_title("Rolling radius difference, right minus left")
-    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"),
-                                ("level", LEVEL_COLOUR, "without roll")):
+    _head(panel, "radii", "Rolling radius difference, right minus left")
+    for name, colour, words in SWINGS:
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
-            panel.plot(shift / MM, difference / MM, color=colour, label=words, zorder=2 if name == "rolled"
-                       else 3,
-                       linewidth=1.6 if name == "rolled" else 1.1)
+            panel.plot(shift / MM, difference / MM, color=colour, label=words,
+                       zorder=2 if name == "rolled" else 3, linewidth=1.6 if name == "rolled" else 1.1)
     panel.axhline(0, color=QUIET, linewidth=0.6)
     _shift_axis(panel, "mm")
     _legend(panel)
@@ -151,11 +153,9 @@ def draw_radii(panel, report):
 
 def draw_conicity(panel, report):
     """Equivalent conicity against the amplitude, with and without roll; dots are the values in the report."""
-    panel.set_label("conicity")
-    panel.set_title("Equivalent conicity (EN 15302: without roll)")
+    _head(panel, "conicity", "Equivalent conicity (EN 15302: without roll)")
     shown = [0.0, 0.09]
-    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"),
-                                ("level", LEVEL_COLOUR, "without roll")):
+    for name, colour, words in SWINGS:
         curve, dots = report.conicity_curves[name], getattr(report.conicity, name)
         if curve is not None:
             swing = Swing(*curve)
@@ -181,8 +181,7 @@ def _legend(panel):
 def draw_moves(panel, report, of="right"):
     """Rate of the contact position of one side on wheel and rail, per lateral shift; logarithmic, linear near
     zero."""
-    panel.set_label("moves")
-    panel.set_title(f"Rate of the {of} contact per lateral shift")
+    _head(panel, "moves", f"Rate of the {of} contact per lateral shift")
     shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
     rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
     for rate, colour, words in rates:
@@ -194,8 +193,7 @@ def draw_moves(panel, report, of="right"):
 
 def draw_roll_rate(panel, report):
     """Rate of the roll, per lateral shift; logarithmic, linear near zero."""
-    panel.set_label("roll rate")
-    panel.set_title("Roll per lateral shift")
+    _head(panel, "roll rate", "Roll per lateral shift")
     shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
     for side in SIDE_COLOUR:
         shift, rate = _broken(report, shift, rate, side)
@@ -206,8 +204,7 @@ def draw_roll_rate(panel, report):
 
 def draw_distance(panel, report):
     """Distance in lateral shift to the nearest jump of either contact."""
-    panel.set_label("distance")
-    panel.set_title("Distance to the nearest jump of either contact")
+    _head(panel, "distance", "Distance to the nearest jump of either contact")
     distance = np.where(np.isfinite(report.curves.jump_distance), report.curves.jump_distance, np.nan)
     panel.plot(report.curves.lateral_shift / MM, distance / MM, color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
@@ -223,8 +220,7 @@ def draw_distance(panel, report):
 
 def draw_near(panel, report, of="right"):
     """Length of the close stretch on the wheel of one side; conformal shifts are shaded."""
-    panel.set_label("near")
-    panel.set_title(f"Length of the {of} wheel within {NEAR / MM:g} mm of the rail")
+    _head(panel, "near", f"Length of the {of} wheel within {NEAR / MM:g} mm of the rail")
     shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
     for zone in report.conformal:
         if zone.side == of:

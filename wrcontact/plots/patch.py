@@ -16,17 +16,19 @@ MARGIN = 1.2e-3  # [m] around a patch
 
 
 def fine_outline(outline):
-    """Station [m], half-length [m] and pressure [Pa] of one pose at many stations, three arrays (n,).
+    """Station [m], half-length [m] and pressure [Pa] of one pose at many stations, three arrays (n,)."""
+    return finer(outline.station, outline.half_length, outline.pressure)
 
-    Between the stored stations the squares are interpolated: they are linear near an edge, so an ellipse
-    stays smooth.
+
+def finer(station, *values):
+    """Many stations between the stored ones, and there the ``values`` (n,) >= 0.
+
+    Their squares are interpolated: they are linear near an edge, so an ellipse stays smooth.
     """
-    stored = np.arange(len(outline.station))
+    stored = np.arange(len(station))
     place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
-    half_length, pressure = (np.sqrt(np.maximum(Akima1DInterpolator(stored, values**2,
-                                                                    method="makima")(place), 0.0))
-                             for values in (outline.half_length, outline.pressure))
-    return np.interp(place, stored, outline.station), half_length, pressure
+    squares = (Akima1DInterpolator(stored, each**2, method="makima")(place) for each in values)
+    return np.interp(place, stored, station), *(np.sqrt(np.maximum(square, 0.0)) for square in squares)
 
 
 def patch_places(system, state, side):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.ticker import MultipleLocator
 
-from ..conditioning.jumps import find_jumps, merged_jumps
+from ..conditioning.curves import find_jumps, merged_jumps
 from ..conventions import SIDES
 from ..results.words import ShortText
 from .geometry import WHEEL_ZONES

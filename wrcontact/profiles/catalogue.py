@@ -1,4 +1,4 @@
-"""Standard profiles from their defining zones.
+"""Standard profiles from their defining zones, and the profile that an argument means.
 
 Wheel
     S1002: EN 13715 / UIC 510-2, zones A to H.
@@ -9,8 +9,11 @@ Rails
 """
 
 import math
+import os
 from functools import cache
 
+from .files import of_kind, smoothing_in_mm
+from .options import ProfileFile
 from .profile import Profile
 from .zones import Arc, Polynomial, mirror_zone
 
@@ -90,3 +93,29 @@ def standard_profile(name):
 def standard_name(name):
     """The built-in profile's name that differs from ``name`` at most in case; None if there is none."""
     return next((known for known in BUILDERS if known.lower() == name.lower()), None)
+
+
+def find_profile(source, kind, smoothing=None, argument=None):
+    """The profile for ``source``: a :class:`Profile`, a standard name, the path of a file, or a
+    :class:`ProfileFile`.
+
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`; ``argument`` is
+    what the user calls the profile, by default its kind.  The case of a name has no effect, unless a file has
+    this very name.  ValueError, in one sentence, if ``source`` is none of these.
+    """
+    smoothing_in_mm(smoothing)
+    if isinstance(source, Profile):
+        return of_kind(source, kind)
+    if isinstance(source, ProfileFile) and os.path.isfile(source.path):
+        return Profile.from_file(source.path, kind, smoothing, **source.reading)
+    names = WHEELS if kind == "wheel" else RAILS
+    if isinstance(source, str) and source in names:
+        return standard_profile(source)
+    if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
+        return Profile.from_file(source, kind, smoothing)
+    standard = standard_name(source) if isinstance(source, str) else None
+    if standard in names:
+        return standard_profile(standard)
+    other = " (a profile of the other kind)" if standard else ""
+    raise ValueError(f"{argument or kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the "
+                     "path of a profile file, or a Profile")

@@ -18,8 +18,7 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
 from .readers import read_points
-from .reading import Reading
-from .remarks import Refusal, remark
+from .remarks import Reading, Refusal, remark
 from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial

@@ -1,6 +1,6 @@
 """Points from the text of a profile file: plain columns, and Simpack's .prw and .prr.
 
-MiniProf's files are read in miniprof.py, Vampire's in vampire.py; readers.py chooses the reader.  Each
+MiniProf's and Vampire's files are read in readers.py, which also chooses the reader.  Each
 reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file, with
 the unit, shift and mirror that the file itself states; everything that must be guessed is left to repair.py.
 """

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .outliers import LONGEST_RUN
+from .flaws import LONGEST_RUN
 
 #: Depths below the highest point at which the middle of the head is taken [mm]; the last three quarters of
 #: LEAST_DEPTH must exist.

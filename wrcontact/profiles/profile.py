@@ -8,7 +8,7 @@ from ..conventions import MILLIMETRE as MM
 from .definition import definition
 from .files import read_profile, zones_through
 from .options import ProfileFile
-from .reading import Reading
+from .remarks import Reading
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
 #: rounding.

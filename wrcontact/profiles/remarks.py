@@ -1,10 +1,28 @@
-"""Reports on repaired profiles: one warning per file, one line on the command line."""
+"""Reports on files of points: what they are, and their repair, in one warning per file and one line on the
+command line."""
 
 import sys
 import warnings
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from ..methods.numbers import UnusualValueWarning
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Properties of a file of points, found when it was read.
+
+    ``points``, the number of points used; their median ``spacing`` and the ``widest`` one [m]; their
+    estimated ``noise`` and the applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs.
+    """
+
+    points: int
+    spacing: float
+    widest: float
+    noise: float
+    smoothing: float
+    remarks: tuple
 
 
 class ProfileWarning(UserWarning):

@@ -1,7 +1,7 @@
 """Repair of measured points: every repair is reported, and points that cannot be repaired are refused.
 
 The recipe is :func:`mend`. Each step takes points and returns points, and adds to ``remarks`` what it did, to
-how many points, where and by how much. Outliers are found in outliers.py, gaps and kinks in kinks.py. The
+how many points, where and by how much. Outliers, gaps and kinks are found in flaws.py. The
 message of a Refusal lacks the file's name, which files.py adds.
 """
 
@@ -10,10 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from .kinks import check_gaps, rounded
-from .mended import Mended
+from .flaws import LONGEST_RUN, Mended, check_gaps, rounded, without_outliers
 from .orientation import faced, turned_upright
-from .outliers import LONGEST_RUN, without_outliers
 from .remarks import Refusal, counted, stretch
 from .smoothing import LEAST_NOISE, noise_of
 

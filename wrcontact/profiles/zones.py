@@ -94,19 +94,6 @@ class Moved:
         return s * t + c * z + self.z_shift, (s + c * slope) / stretch, bend / (stretch * stretch * stretch)
 
 
-def move_zone(zone, angle, y_shift=0.0, z_shift=0.0):
-    """``zone`` rotated by ``angle`` [rad] from y to z about the origin and shifted [mm]; an arc stays an arc.
-
-    This requires that no end of the arc passes the vertical; the caller leaves out steeper zones.
-    """
-    if not isinstance(zone, Arc):
-        return Moved(zone, angle, y_shift, z_shift)
-    c, s = math.cos(angle), math.sin(angle)
-    start, stop = (Moved(zone, angle, y_shift, z_shift).place(y)[0] for y in (zone.start, zone.stop))
-    return Arc(start, stop, zone.radius, c * zone.y_centre - s * zone.z_centre + y_shift,
-               s * zone.y_centre + c * zone.z_centre + z_shift, zone.side)
-
-
 def mirror_zone(zone):
     """``zone`` reflected in y = 0."""
     if isinstance(zone, Arc):

@@ -15,9 +15,8 @@ Nothing of this is needed for a simulation, and nothing of it is packed into the
 (True, -0.000184)
 """
 
-from .constraints import ConstraintSearch
-from .refined import AdaptiveSearch, DenserSearch
 from .search import Contact, Result, Search2D, Search3D, exact_result
+from .variants import AdaptiveSearch, ConstraintSearch, DenserSearch
 
 __all__ = ["AdaptiveSearch", "ConstraintSearch", "Contact", "DenserSearch", "Result", "Search2D", "Search3D",
            "exact_result"]

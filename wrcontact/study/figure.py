@@ -13,8 +13,7 @@ import numpy as np
 
 from ..storage.atomic import open_atomically
 from ..system import ContactSystem
-from .analyn import solve_analyn
-from .sections import Section
+from .sections import Section, solve_analyn
 
 FORCE = 78.5e3      #: normal force of every figure [N]
 MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
@@ -56,6 +55,16 @@ class SourceFigure:
             writer.writerow(self.columns)
             writer.writerows([_cell(value) for value in row]
                              for row in zip(*self.columns.values(), strict=True))
+
+    @property
+    def curves(self):
+        """Names of the curves in the table's order."""
+        return list(dict.fromkeys(self.columns["curve"]))
+
+    def curve(self, name, *columns):
+        """These columns of a curve, arrays (n,)."""
+        rows = [k for k, curve in enumerate(self.columns["curve"]) if curve == name]
+        return tuple(np.array(self.columns[column])[rows] for column in columns)
 
     @property
     def stem(self):
@@ -116,24 +125,17 @@ def listed(values, digits):
     return ", ".join(f"{value:.{digits}f}" for value in values)
 
 
-def rows_of(columns, **wanted):
-    """The rows of a table whose columns hold these words: dict of arrays; numeric columns as floats."""
-    keep = [k for k in range(len(next(iter(columns.values()))))
-            if all(columns[name][k] == word for name, word in wanted.items())]
-    return {name: np.array([values[k] for k in keep]) for name, values in columns.items()}
-
 # ---------------------------------------------------------------------------------- patches as rows of tables
 
 
-# Patches "as the source has them" are those of :mod:`~wrcontact.study.analyn` on nodes of
-# :mod:`~wrcontact.study.sections`; where the source only varies what the kernel also knows (longitudinal
-# curvature, yaw) they are the kernel's. Beside them stands the complete theory.
+# Patches "as the source has them" are those of :mod:`~wrcontact.study.sections`; where the source only varies
+# what the kernel also knows (longitudinal curvature, yaw) they are the kernel's. Beside them stands the
+# complete theory.
 
-def study_patch(nodes, section, B, correction=None, effective=True):
+def study_patch(nodes, section, B, correction=None):
     """ANALYN of the source on ``nodes`` with the lateral curvature ``B`` (n,) [1/m]."""
-    return solve_analyn(nodes.station, np.maximum(nodes.gap, 0.0),
-                        section.longitudinal(nodes.wheel, effective), B, force=FORCE, modulus=MODULUS,
-                        correction=correction)
+    return solve_analyn(nodes.station, np.maximum(nodes.gap, 0.0), section.longitudinal(nodes.wheel), B,
+                        force=FORCE, modulus=MODULUS, correction=correction)
 
 
 def patch_columns(curve, patch, margin=2):

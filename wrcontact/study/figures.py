@@ -1,11 +1,9 @@
 """The content of the source's figures, computed anew: what the source says, what we find, and the numbers.
 
-    python -m wrcontact.study.figures       prints the table of docs/source_study.md, chapter 2
-
-::
-
     curves and patches  ->  columns (the CSV)  ->  numbers, one sentence        figures_*.py
-    columns -> picture pictures.py
+    columns  ->  picture                                                        pictures.py
+
+The command ``wrcontact figures`` writes them.
 
 >>> from wrcontact.study.figures import Study, compute
 >>> figure = compute("7.10", Study())
@@ -25,18 +23,13 @@ from .figure import FAILS, HOLDS, PARTLY, Study
 
 INDEX = "figures.md"
 VERDICTS = {HOLDS: "It holds.", PARTLY: "It holds in part.", FAILS: "It does not hold."}
-#: The figures by what they are about, in the source's order.
-CHAPTERS = (figures_search, figures_separation, figures_curvature)
-
-
-def makers():
-    """The functions that make the figures, by number, in the source's order."""
-    return {number: make for chapter in CHAPTERS for number, make in chapter.FIGURES.items()}
+#: The functions that make the figures, by number, in the source's order.
+MAKERS = {**figures_search.FIGURES, **figures_separation.FIGURES, **figures_curvature.FIGURES}
 
 
 def known():
     """Numbers of all figures, in the source's order."""
-    return tuple(makers())
+    return tuple(MAKERS)
 
 
 def chosen(words):
@@ -58,15 +51,8 @@ def chosen(words):
 
 def compute(number, study):
     """The :class:`SourceFigure` with this number."""
-    return makers()[number](study)
+    return MAKERS[number](study)
 
-
-def table(figures):
-    """Chapter 2 of docs/source_study.md: a row in Markdown for each figure."""
-    rows = [f"| {figure.number} | {figure.claim} | {figure.verdict} | {figure.finding} | {figure.key} |"
-            for figure in figures]
-    return "\n".join(["| figure | the source says | | we find | the number |", "|---|---|---|---|---|",
-                      *rows])
 
 # ---------------------------------------------------------------------------------------- the command's files
 
@@ -117,8 +103,3 @@ def index(figures):
               f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n"
               for figure in figures]
     return "\n".join(parts)
-
-
-if __name__ == "__main__":
-    context = Study()
-    print(table([compute(number, context) for number in tracked(known(), "figures")]))

@@ -6,7 +6,7 @@ Lines are exact, dots are the source's searches, broken lines are elastic contac
 
 import numpy as np
 
-from ..plots.patch import FINER
+from ..plots.patch import finer
 from ..plots.pose import HIGH
 from ..plots.style import (
     CONTACT_COLOUR,
@@ -20,18 +20,10 @@ from ..plots.style import (
     new_figure,
     styled,
 )
-from .curves import (
-    COLOURS,
-    curves_of,
-    draw_place,
-    draw_place_and_errors,
-    draw_roll,
-    draw_roll_by_yaw,
-    draw_shift_by_yaw,
-    draw_two_searches,
-)
-from .figure import rows_of
+from ..plots.sweep import WHEEL_ZONES
 
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
+JUMP = 3.0  # [mm] a line is interrupted where its value jumps by more between two points
 THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
 UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
 WIDE = 10.5  # [in]
@@ -46,6 +38,159 @@ def source_figure(figure):
     return picture
 
 
+# --- values over the lateral shift, chapters 4 and 5 -----------------------------------------------
+
+
+def look_of(name):
+    """How a curve over the lateral shift is drawn."""
+    yaw = int(name.rpartition("yaw ")[2].split()[0]) if "yaw" in name else None
+    colour = COLOURS[yaw] if yaw is not None else WHEEL_COLOUR
+    if "search" in name:
+        return {"linestyle": "", "marker": "o" if "dy 1 mm" not in name else "x", "markersize": 3.2,
+                "zorder": 1.5, "color": colour if yaw is not None else QUIET, "alpha": 0.7}
+    if "elastic" in name:
+        return {"color": colour if yaw is not None else CONTACT_COLOUR, "linestyle": (0, (4, 1.5)),
+                "linewidth": 1.4}
+    return {"color": colour, "linewidth": 1.5}
+
+
+def over_shift(panel, figure, wanted, *, span=None, legend=True):
+    """The curves whose names ``wanted`` accepts over the lateral shift."""
+    value = list(figure.columns)[2]
+    for name in filter(wanted, figure.curves):
+        shift, values = figure.curve(name, "lateral shift [mm]", value)
+        jump = np.flatnonzero(np.abs(np.diff(values)) > JUMP) + 1
+        panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name,
+                   **look_of(name))
+    panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
+    if span:
+        seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])]
+                for line in panel.lines]
+        low, high = (of(np.concatenate(seen)) for of in (np.nanmin, np.nanmax))
+        panel.set(xlim=span, ylim=(low - 0.04 * (high - low), high + 0.04 * (high - low)))
+    if legend:
+        panel.legend()
+
+
+AXES = {"roll [deg]": "roll, right wheel down + [deg]",
+        "y_wheel [mm]": "contact on the wheel, field side + [mm]",
+        "x_wheel [mm]": "contact ahead of the axle [mm]"}
+
+
+def draw_inset(panel, figure, bounds, wanted, span, title=""):
+    """A smaller panel inside another one, with a part of the curves over ``span`` [mm]; it is returned."""
+    inset = panel.inset_axes(bounds)
+    over_shift(inset, figure, wanted, span=span, legend=False)
+    inset.set(xlabel="", ylabel="")
+    inset.set_title(title, fontsize=8, fontweight="normal")
+    inset.tick_params(labelsize=7)
+    return inset
+
+
+def every(name):
+    return True
+
+
+def mark_jumps(panel, shifts):
+    """Dotted lines at lateral shifts [mm] with their numbers."""
+    low, high = panel.get_xlim()
+    for shift in shifts:
+        if low < shift < high:
+            panel.axvline(shift, color=QUIET, linewidth=0.8, linestyle=":")
+            panel.annotate(f"{shift:.3f}", (shift, 0.02), (-3, 0), xycoords=("data", "axes fraction"),
+                           textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=8,
+                           color=QUIET)
+
+
+def draw_roll(picture, figure):
+    whole, near = picture.subplots(1, 2)
+    over_shift(whole, figure, every)
+    over_shift(near, figure, every, span=(4.3, 6.6), legend=False)
+    mark_jumps(near, (figure.numbers["bend to the flange root at [mm]"],
+                      figure.numbers["bend to the flange at [mm]"]))
+    whole.set_title("Whole range")
+    near.set_title("Around the two jumps of the contact: the roll bends there")
+
+
+def draw_place(picture, figure):
+    whole, near = picture.subplots(1, 2, width_ratios=(1.5, 1))
+    for panel, span in ((whole, None), (near, (4.3, 8.0))):
+        over_shift(panel, figure, every, span=span, legend=span is None)
+        draw_zones(panel)
+    mark_jumps(near, [value for name, value in figure.numbers.items() if name.startswith("jump")
+                      and name.endswith("at [mm]")])
+    whole.set_title("Whole range")
+    near.set_title("Flange root and flange")
+
+
+def draw_zones(panel):
+    """Bands of tread, flange root and flange of the S1002, within what the panel shows."""
+    low, high = panel.get_ylim()
+    for name, (start, stop) in WHEEL_ZONES.items():
+        start, stop = max(start / MM, low), min(stop / MM, high)
+        if stop > start:
+            panel.axhspan(start, stop, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
+            panel.text(0.99, stop - 0.01 * (high - low), name, color=QUIET, style="italic", ha="right",
+                       va="top", transform=panel.get_yaxis_transform())
+    panel.set_ylim(low, high)
+
+
+def draw_place_and_errors(picture, figure):
+    whole, errors = picture.subplots(1, 2, width_ratios=(1.3, 1))
+    over_shift(whole, figure, lambda name: "dy 1 mm" not in name)
+    draw_zones(whole)
+    known = dict(zip(*figure.curve("rigid, exact", "lateral shift [mm]", "y_wheel [mm]")))
+    for name in figure.curves:
+        if name != "rigid, exact":
+            shift, place = figure.curve(name, "lateral shift [mm]", "y_wheel [mm]")
+            error = np.abs(place - [known[at] for at in shift])
+            errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name))
+    errors.axvspan(6.3, 8, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
+    errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
+    errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
+               ylabel="distance from the rigid contact [mm]")
+    errors.legend(loc="lower left", fontsize=7)
+    whole.set_title("Contact on the right wheel")
+    errors.set_title("Distance from it; grey: beyond 6.3 mm")
+
+
+def draw_two_searches(picture, figure):
+    kinds = (("Rigid contact", lambda name: "elastic" not in name),
+             ("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
+    for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
+        over_shift(panel, figure, wanted, span=(0, 8), legend=False)
+        inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), wanted, (4.4, 5.6))
+        panel.indicate_inset_zoom(inset, edgecolor=QUIET)
+        panel.set_title(title)
+    handles = {line.get_label(): line for panel in picture.axes for line in panel.lines}
+    picture.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3)
+
+
+def draw_by_yaw(picture, figure):
+    panel = picture.subplots()
+    over_shift(panel, figure, lambda name: "exact" in name, legend=False)
+    over_shift(panel, figure, lambda name: "search" in name, legend=False)
+    lines = [line for line in panel.lines if "exact" in line.get_label()]
+    dots = next(line for line in panel.lines if "search" in line.get_label())
+    panel.legend([*lines, dots], [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"],
+                 loc="lower left" if "roll" in figure.title.lower() else "upper left")
+    return panel
+
+
+def draw_roll_by_yaw(picture, figure):
+    panel = draw_by_yaw(picture, figure)
+    draw_inset(panel, figure, (0.14, 0.32, 0.38, 0.5), lambda name: "exact" in name, (0, 5.3),
+               "tread and flange root")
+    panel.set_xlim(0, 8)
+
+
+def draw_shift_by_yaw(picture, figure):
+    panel = draw_by_yaw(picture, figure)
+    panel.set_xlim(0, 8)
+    inset = draw_inset(panel, figure, (0.27, 0.3, 0.36, 0.62), every, (0, 6.3), "before flange contact")
+    inset.set_ylim(-0.5, 11)
+
+
 # --- where the contact is --------------------------------------------------------------------------
 
 
@@ -57,12 +202,10 @@ def draw_outlines(panel, figure):
     """Wheel, rail and contact point on the track, to one scale."""
     ends = {"wheel": HIGH / MM, "rail": -60.0}
     for name, colour in (("wheel", WHEEL_COLOUR), ("rail", RAIL_COLOUR)):
-        rows = rows_of(figure.columns, curve=name)
-        y, height = (rows[column].astype(float) for column in ("y_track [mm]", "height [mm]"))
+        y, height = figure.curve(name, "y_track [mm]", "height [mm]")
         panel.fill_between(y, height, ends[name], color=colour, alpha=0.18, linewidth=0)
         panel.plot(y, height, color=colour)
-    point = rows_of(figure.columns, curve="contact point")
-    y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
+    (y,), (height,) = figure.curve("contact point", "y_track [mm]", "height [mm]")
     panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white",
                markeredgewidth=0.6)
     panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left",
@@ -80,17 +223,14 @@ def draw_outlines(panel, figure):
 def draw_separation(picture, figure):
     whole, near, patch = picture.subplots(1, 3, width_ratios=(1.2, 1, 1.1))
     for name, colour, look in (("equidistant", COLOURS[0], "-"), ("vertical", COLOURS[1], (0, (3, 1.5)))):
-        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items()
-                if key != "curve"}
-        whole.plot(rows["y [mm]"], rows["separation [mm]"], color=colour, linestyle=look, label=name)
-        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look,
-                       label=name)
+        y, apart, half = figure.curve(name, "y [mm]", "separation [mm]", "half length [mm]")
+        whole.plot(y, apart, color=colour, linestyle=look, label=name)
+        closed_outline(patch, y, half, color=colour, linestyle=look, label=name)
     cosine = np.cos(np.radians(figure.numbers.get("contact angle [deg]", 0.0)))
-    theory = rows_of(figure.columns, curve="complete theory")
-    closed_outline(patch, theory["station [mm]"].astype(float) * cosine,
-                   theory["half length [mm]"].astype(float), fine=True, label="complete theory", **THEORY)
-    apart = rows_of(figure.columns, curve="vertical less equidistant")
-    near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
+    station, half = figure.curve("complete theory", "station [mm]", "half length [mm]")
+    closed_outline(patch, station * cosine, half, fine=True, label="complete theory", **THEORY)
+    y, apart = figure.curve("vertical less equidistant", "y [mm]", "separation [mm]")
+    near.plot(y, np.abs(apart), color=INK)
     near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
     near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET,
               fontsize=7.5, ha="center", va="bottom")
@@ -111,22 +251,12 @@ def closed_outline(panel, station, half_length, *, fine=False, label=None, **loo
     """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they
     stand for."""
     if fine:
-        station, half_length = rounded_edge(station, half_length)
+        station, half_length = finer(station, half_length)
     loaded = half_length > 0
     beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
     edge = np.where(beside, half_length, np.nan)
     panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]),
                label=label, **look)
-
-
-def rounded_edge(station, half_length):
-    """Many stations between the stored ones; the squares are interpolated, so that an ellipse stays round."""
-    from scipy.interpolate import Akima1DInterpolator
-
-    stored = np.arange(len(station))
-    place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
-    squares = Akima1DInterpolator(stored, half_length**2, method="makima")(place)
-    return np.interp(place, stored, station), np.sqrt(np.maximum(squares, 0.0))
 
 
 def to_scale(panel):
@@ -143,8 +273,7 @@ def to_scale(panel):
 
 
 def draw_longitudinal(picture, figure):
-    whole, near = picture.subplots(1, 2)
-    _curvature_panels(whole, near, figure)
+    _curvature_panels(*picture.subplots(1, 2), figure)
 
 
 def draw_longitudinal_with_picture(picture, figure):
@@ -180,19 +309,16 @@ def _curvature_panels(whole, near, figure):
 def draw_patches(picture, figure):
     """Edges of several patches over each other, and their pressures."""
     edges, pressures = picture.subplots(1, 2)
-    names = curves_of(figure)
-    own = [name for name in names if "complete theory" not in name]
-    for name in names:
-        rows = rows_of(figure.columns, curve=name)
-        station, half, pressure = (rows[column].astype(float) for column in
-                                   ("station [mm]", "half length [mm]", "pressure [MPa]"))
+    own = [name for name in figure.curves if "complete theory" not in name]
+    for name in figure.curves:
+        station, half, pressure = figure.curve(name, "station [mm]", "half length [mm]", "pressure [MPa]")
         theory = "complete theory" in name
         case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
         look = {**(THEORY if theory else {}), "color": INK if case is None else COLOURS[case]}
         if name == "basic":
             look["linestyle"] = (0, (3, 1.5))
         closed_outline(edges, station, half, fine=True, label=name, **look)
-        pressures.plot(*rounded_edge(station, pressure), **look)
+        pressures.plot(*finer(station, pressure), **look)
     for panel in (edges, pressures):
         panel.set_xlabel("s in the contact plane, field side + [mm]")
     edges.set_ylabel("rolling direction [mm]")
@@ -208,13 +334,11 @@ def draw_patches(picture, figure):
 def draw_torn(picture, figure):
     """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete
     theory's patch."""
-    names = [name for name in curves_of(figure) if name != "complete theory"]
-    theory = rows_of(figure.columns, curve="complete theory")
-    true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)
+    names = [name for name in figure.curves if name != "complete theory"]
+    true = figure.curve("complete theory", "station [mm]", "half length [mm]")
     panels = picture.subplots(1, 3, sharex=True, sharey=True)
     for panel, name, colour in zip(panels, names, COLOURS):
-        rows = rows_of(figure.columns, curve=name)
-        station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
+        station, half = figure.curve(name, "station [mm]", "half length [mm]")
         loaded = half > 0
         panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour,
                   alpha=0.55, linewidth=0, label=f"{int(loaded.sum())} loaded nodes")
@@ -231,7 +355,9 @@ def draw_torn(picture, figure):
 
 def draw_lateral(picture, figure):
     """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
-    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-45, 110), (-45, 110))):
+    titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
+              "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+    for panel, name in zip(picture.subplots(2, 1), titles):
         at = np.array(figure.columns[f"y_{name} [mm]"])
         noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
         panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
@@ -240,10 +366,8 @@ def draw_lateral(picture, figure):
                    label="three nodes 0.2 mm apart, exact profile")
         panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)),
                    linewidth=1.2, label="circle through 6 mm")
-        panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
-                  ylabel="curvature [1/m]")
-        titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
-                  "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+        panel.set(ylim=(-45, 110), xlim=(at.min(), at.max()), ylabel="curvature [1/m]",
+                  xlabel=f"on the {name}'s profile, field side + [mm]")
         panel.set_title(titles[name])
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 

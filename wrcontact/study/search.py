@@ -2,18 +2,21 @@
 
 Both roll the wheelset until the smallest vertical distances of the two wheels are equal::
 
-    wheel and rail as nodes -> smallest distance of each wheel ProfileMatrix.lowest, source eqs. (4.2), (4.3)
-    equal -> roll, by steps of eq. (4.6) balance distance -> vertical shift
+    wheel and rail as nodes  ->  smallest distance of each wheel    ProfileMatrix.lowest, (4.2), (4.3)
+    equal distances  ->  roll, by steps of source eq. (4.6)         balance
+
+All is written for a right wheel; the left one comes in mirrored (conventions.MIRROR). The profiles are the
+kernel's own tables, so a search can differ from the exact one by its method only.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, hypot, sin, sqrt
 
 import numpy as np
 
-from ..conventions import SIDES
-from .surfaces import Pose, ProfileMatrix, Surfaces, profile_nodes, rail_polyline
+from ..conventions import MIRROR, SIDES
+from ..profiles.compiled import ends, evaluate_table
 
 #: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its
 #: flange (from -38.4 mm) [m].
@@ -21,6 +24,123 @@ FLANGE = -36.5e-3
 #: A roll beyond this is no wheelset on its track any more [rad]; 12 mm of lateral shift need 0.013.
 ROLL_LIMIT = 0.12
 STEP_LIMIT = 400
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Pose of a wheel seen as a right one: lateral shift [m], yaw [rad], roll [rad]."""
+
+    lateral_shift: float
+    yaw: float
+    roll: float = 0.0
+
+    def of(self, side):
+        """This wheelset's pose as that of the ``side`` wheel, mirrored if it is the left one."""
+        return self if side == "right" else Pose(*(sign * value for sign, value in
+                                                   zip(MIRROR, (self.lateral_shift, self.yaw, self.roll))))
+
+
+class Surfaces:
+    """Profiles, places and radius of ``system``.
+
+    Attributes
+    ----------
+    radius, arm : nominal radius, and half the distance of the running circles [m].
+    rail_y : lateral track coordinate of the right rail's highest point [m].
+    wheel_ends, rail_ends : first and last abscissa of the profiles (2,) [m].
+    """
+
+    def __init__(self, system):
+        chosen = system.parameters
+        self.radius, self.arm = chosen["nominal_radius"], 0.5 * chosen["running_circle_distance"]
+        self._wheel, self._rail, self.rail_y = system.profile_tables()
+        self.wheel_ends, self.rail_ends = ends(self._wheel), ends(self._rail)
+
+    def wheel(self, y):
+        """Height [m] and slope [-] of the wheel profile at ``y`` [m], two arrays of its shape."""
+        return evaluate_table(self._wheel, y)[:2]
+
+    def rail(self, y):
+        """Height [m] and slope [-] of the placed rail's profile at ``y`` [m]."""
+        return evaluate_table(self._rail, y)[:2]
+
+    def reach(self, yaw):
+        """How far ahead of or behind its principal profile the wheel can touch at ``yaw``,
+        whatever the contact [m]."""
+        y = np.linspace(*self.wheel_ends, 2001)
+        return self.radius * min(1.0, abs(math.tan(yaw)) * 1.05 * np.abs(self.wheel(y)[1][20:-20]).max())
+
+
+def profile_nodes(ends, spacing):
+    """Multiples of ``spacing`` [m] between ``ends`` (2,)."""
+    first, last = math.ceil(ends[0] / spacing + 1e-9), math.floor(ends[1] / spacing - 1e-9)
+    return spacing * np.arange(first, last + 1)
+
+
+@dataclass(frozen=True)
+class Lowest:
+    """The smallest gap [m] of a wheel, and where it is (x_wheel, y_wheel, y_rail, y_axle) [m].
+
+    ``y_axle`` is its distance from the wheelset's centre along the yawed, unrolled axle.
+    """
+
+    gap: float
+    x_wheel: float
+    y_wheel: float
+    y_rail: float
+    y_axle: float
+
+
+class ProfileMatrix:
+    """The wheel cut by planes across its axle at x (n,), each a profile at y (m,):
+    source eqs. (5.10), (5.11).
+
+    ``R_n(y) = R_0(y) cos(alpha_n)``, ``sin(alpha_n) = x_n / R_0(y)``; the 2-D search has x = 0 alone.
+    """
+
+    CHUNK = 2**17  #: gaps at a time, to stay in the cache
+
+    def __init__(self, surfaces, rail, x, y):
+        self.surfaces, self.x, self.y = surfaces, np.atleast_1d(np.asarray(x, dtype=float)), y
+        self.rail = rail
+        R0 = surfaces.radius + surfaces.wheel(y)[0]
+        self.heights = np.sqrt(R0**2 - self.x[:, None]**2)          # (n, m), below the axle
+
+    def lowest(self, pose, mapping=1.0):
+        """The smallest of source eq. (5.13)'s distances at ``pose``, as (5.14) asks for; a :class:`Lowest`.
+
+        The matrix is rolled about the axle's centre; the rail, a polyline (2, k), is read below each node.
+        ``mapping`` stretches the rail's abscissa about its top, for source eq. (5.12) as printed. The gap is
+        infinite beside the rail.
+        """
+        best = Lowest(math.inf, math.nan, math.nan, math.nan, math.nan)
+        rows = max(1, self.CHUNK // len(self.y))
+        for first in range(0, len(self.x), rows):
+            gap, abscissa, along = self._gaps(pose, slice(first, first + rows), mapping)
+            row, column = np.unravel_index(np.argmin(gap), gap.shape)
+            if gap[row, column] < best.gap:
+                best = Lowest(*map(float, (gap[row, column], self.x[first + row], self.y[column],
+                                           abscissa[row, column], along[row, column])))
+        return best
+
+    def _gaps(self, pose, rows, mapping):
+        c, s = math.cos(pose.roll), math.sin(pose.roll)
+        heights, arm = self.heights[rows], self.surfaces.arm + self.y
+        along = c * arm - s * heights                               # y_w of source fig. 5.2
+        depth = s * arm + c * heights - self.surfaces.radius
+        lateral = pose.lateral_shift + math.sin(pose.yaw) * self.x[rows, None] + math.cos(pose.yaw) * along
+        abscissa = lateral - self.surfaces.rail_y
+        heights = np.interp(mapping * abscissa, *self.rail, left=math.inf, right=math.inf)
+        return heights - depth, abscissa, along
+
+
+def rail_polyline(surfaces, spacing):
+    """Abscissae and heights (2, n) [m] of the rail's nodes at multiples of ``spacing`` [m]."""
+    y = profile_nodes(surfaces.rail_ends, spacing)
+    return np.array([y, surfaces.rail(y)[0]])
+
+
+# --- searches --------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -161,8 +281,8 @@ class Search3D:
                   and getattr(found, side).x_wheel == rows[side][-1]]
         remark = (found.remark
                   or (f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else ""))
-        return Result(found.roll, found.vertical_shift, found.left, found.right, plane.steps + found.steps,
-                      plane.gap_evaluations + found.gap_evaluations, found.converged, remark)
+        return replace(found, steps=plane.steps + found.steps, remark=remark,
+                       gap_evaluations=plane.gap_evaluations + found.gap_evaluations)
 
     def _rows(self, pose, estimate):
         """Where the profiles of a right wheel at ``pose`` are cut [m], by the 2-D
