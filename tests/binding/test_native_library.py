@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.kernel_poses import FORMS, id_of, poses
-from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
+from tests.helpers import kernel_runs
+from tests.helpers.kernel_runs import FORMS, KERNEL, PACKAGE, bits, needs_library, poses, run_steps
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library, find_compiler
@@ -44,6 +44,11 @@ def checked_package(tmp_path_factory):
     return package
 
 
+STRIPS_OF_PAIRS = [
+    {"normal_model": "analyn_strip", "strips": strips, **pair} for strips in (16, 64)
+    for pair in ({}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425})]
+
+
 @needs_library
 @needs_compiler
 @pytest.mark.full
@@ -58,32 +63,17 @@ def checked_package(tmp_path_factory):
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
     *FORMS,
+    *STRIPS_OF_PAIRS,
     {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
-], ids=id_of)
+], ids=kernel_runs.id_of)
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
-    """The library with checked indices takes the same steps: 1200 over tread and
-    flange, from 1 mN to 1 MN."""
-    rows = poses(1200, seed=21)
+    """The library with checked indices takes the same steps: 1200 over tread and flange, 6000 of strips in
+    three pairs of profiles, from 1 mN to 1 MN."""
+    rows = poses(6000 if parameters in STRIPS_OF_PAIRS else 1200, seed=21)
     rows[::3, 3] = 10 ** np.random.default_rng(22).uniform(-3, 6, len(rows[::3]))
     checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package, **parameters)
     usual = run_steps(rows, tmp_path, choice="compiled", **parameters)
-    np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
-
-
-@needs_library
-@needs_compiler
-@pytest.mark.full
-@pytest.mark.parametrize("strips", [16, 64])
-@pytest.mark.parametrize("pair",
-                         [{}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425}],
-                         ids=["default", "54E1", "narrow"])
-def test_no_index_leaves_its_array_in_very_many_poses(tmp_path, checked_package, strips, pair):
-    rows = poses(6000, seed=23)
-    rows[::3, 3] = 10 ** np.random.default_rng(24).uniform(-3, 6, len(rows[::3]))
-    checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package,
-                        normal_model="analyn_strip", strips=strips, **pair)
-    usual = run_steps(rows, tmp_path, choice="compiled", normal_model="analyn_strip", strips=strips, **pair)
     np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
 
 
@@ -109,7 +99,7 @@ def test_missing_library_warns_once(tmp_path):
     package = copy_package(tmp_path, "renamed_wheelset", with_library=False)
     code = ("from renamed_wheelset.kernel.binding.library import default_kernel as k; "
             "print(k().compiled, k().compiled)")
-    child = run_python(code, tmp_path, "auto")
+    child = kernel_runs.run_python(code, tmp_path, "auto")
     assert child.stdout.split() == ["False", "False"], child.stderr
     assert child.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
     assert f"there is no {LIBRARY_NAME} in {package / 'kernel'}" in child.stderr

@@ -6,8 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from tests.helpers.kernel_poses import FORMS, id_of, poses
-from tests.helpers.kernel_runs import bits, needs_library, run_steps
+from tests.helpers.kernel_runs import FORMS, bits, id_of, needs_library, poses, run_steps
 
 #: Wheelsets of the check, and of the full tests; an elastic one is a dozen times the work.
 FEW, MANY, MANY_ELASTIC = 12, 80, 30

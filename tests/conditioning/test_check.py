@@ -15,7 +15,6 @@ from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from tests.helpers.paths import DATA
 from wrcontact import ContactSystem, Profile
-from wrcontact.cli import main
 from wrcontact.conditioning.conicity import OFF_PROFILE
 from wrcontact.plots import check_figure
 from wrcontact.profiles.zones import Polynomial
@@ -214,22 +213,9 @@ def test_pair_without_contact_is_told():
 # --- the door -------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def run(capsys):
-    """Run the command line in this process: (exit code, standard output, error output)."""
-
-    def run(*words):
-        with pytest.raises(SystemExit) as ended:
-            main(["check", *map(str, words)], prog_name="wrcontact")
-        seen = capsys.readouterr()
-        return ended.value.code or 0, seen.out, seen.err
-
-    return run
-
-
 def test_command(run, tmp_path, standard):
     picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
-    code, out, err = run("--rail", "60E1", "--output", picture, "--json", content)
+    code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content)
     assert code == 0 and err == ""
     for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40",
                  "contact at lateral shifts from -15.00 to 15.00 mm", "0.174", "0.2259",
@@ -245,13 +231,13 @@ def test_command(run, tmp_path, standard):
 def test_command_refuses_in_a_sentence(run, tmp_path):
     for words, told in ((("--output", tmp_path / "pair.doc"), ".png"), (("--wheel", "S1003"), "S1003"),
                         (("--gauge-mm", "3000"), "gauge"), (("--load", "normal"), "--load")):
-        code, _, err = run(*words)
+        code, _, err = run("check", *words)
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err
 
 
 @pytest.mark.full
 def test_command_tells_a_useless_pair(run, tmp_path):
-    code, out, _ = run("--gauge-mm", "1600", "--output", tmp_path / "none.svg")
+    code, out, _ = run("check", "--gauge-mm", "1600", "--output", tmp_path / "none.svg")
     assert (tmp_path / "none.svg").stat().st_size > 10_000
     assert code == 1 and "no contact in the centred position" in out and "nan" not in out
 

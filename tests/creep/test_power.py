@@ -103,14 +103,3 @@ def test_all_patches_of_a_wheel_have_creep_forces(normal):
             for name, out in (("force", found.force), ("moment", found.moment)):
                 total = sum(getattr(patch.forces, name)[axis] for patch in patches)
                 assert abs(np.asarray(out)[axis]) == pytest.approx(abs(total), rel=1e-12, abs=1e-9)
-
-
-def test_both_wheels_add_up():
-    """Forces and moments of the wheelset, of unequal wheels."""
-    state = wrcontact.ContactSystem(tangential_model="strips", contact_mode="elastic").evaluate(
-        4e-3, 0.01, 8e4, load_transfer=0.3, **MOTION)
-    for name in ("force", "moment"):
-        for whole, left, right in ((state, state.left, state.right),
-                                   (state.normal, state.left.normal, state.right.normal)):
-            total = np.add(getattr(left, name), getattr(right, name))
-            np.testing.assert_allclose(getattr(whole, name), total, rtol=1e-12, atol=1e-9)

@@ -104,7 +104,8 @@ def test_the_model_of_one_s_own_is_a_model():
     """The one of own_model.md, uncompiled: linear theory where creepages are small (1 %), friction times load
     where they are large."""
     text = (DOCS / "own_model.md").read_text(encoding="utf-8")
-    code = next(found for found in re.findall(r"```python\n(.*?)```", text, re.DOTALL) if "def solve_" in found)
+    blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    code = next(block for block in blocks if "def solve_" in block)
     module = {"__package__": "wrcontact.kernel.creep"}
     exec(code, module)
     tables = layout.Tables.at(forces.model_tables(layout.TANGENTIAL_POLACH, 210e9, 0.28))

@@ -14,7 +14,6 @@ from tests.helpers.command_line import OUTSIDE
 from tests.helpers.faults import assert_files_are_whole, largest_file, needs_linux
 from tests.helpers.fmus import needs_compiler
 from wrcontact import ContactSystem
-from wrcontact.cli import main
 from wrcontact.fmu import build_fmu, native
 from wrcontact.kernel.binding.compiler import zig_cache
 from wrcontact.storage import atomic
@@ -23,15 +22,13 @@ pytestmark = needs_linux
 
 
 @pytest.fixture
-def refused(capsys):
+def refused(run):
     """The one sentence in which the command line refuses."""
 
     def refused(*words):
-        with pytest.raises(SystemExit) as ended:
-            main(list(map(str, words)), prog_name="wrcontact")
-        said = capsys.readouterr()
-        assert ended.value.code in (1, 2) and said.out == "" and said.err.count("\n") == 1, said
-        return said.err
+        code, out, err = run(*words)
+        assert code in (1, 2) and out == "" and err.count("\n") == 1, (out, err)
+        return err
 
     return refused
 

@@ -124,30 +124,17 @@ def deflection_at(wheel, x, s):
     return np.array(bent)
 
 
-def test_grids_of_two_patches_press_each_other_down():
+@pytest.mark.parametrize("turn, coupling", [(0.0, 0.0), (0.1, 0.3)], ids=["plane", "turning, two materials"])
+def test_grids_of_two_patches_press_each_other_down(turn, coupling):
     """Two grids of equal cells are one grid with a hole: against the plain convolution over both."""
-    random = np.random.default_rng(3)
-    corners, shape = np.array([(0, 0), (9, 5)]), (2, 4, 3)
-    pressure = random.random(shape)
+    corners, shape, angle = np.array([(0, 0), (9, 5)]), (2, 4, 3), turn * np.arange(8) ** 1.5
+    pressure = np.random.default_rng(3).random(shape)
     whole = np.zeros((13, 8))
     whole[:4, :3], whole[9:, 5:] = pressure
-    bent = deflection.Deflection(whole.shape, 2e-4, 1e-4, MODULUS)(whole)
-    parts = deflection.Deflection(shape, 2e-4, 1e-4, MODULUS, corners=corners)(pressure)
-    np.testing.assert_allclose(parts[0], bent[:4, :3], rtol=1e-10)
-    np.testing.assert_allclose(parts[1], bent[9:, 5:], rtol=1e-10)
-
-
-def test_grids_of_two_patches_turn_like_one():
-    """As before, with normals that turn and bodies of two materials."""
-    random = np.random.default_rng(6)
-    corners, shape, angle = np.array([(0, 0), (9, 5)]), (2, 4, 3), 0.1 * np.arange(8) ** 1.5
-    pressure = random.random(shape)
-    whole = np.zeros((13, 8))
-    whole[:4, :3], whole[9:, 5:] = pressure
-    given = {"coupling": 0.3, "contact_modulus": MODULUS}
-    bent = deflection.Deflection(whole.shape, 2e-4, 1e-4, angle=angle, **given)(whole)
-    parts = deflection.Deflection(shape, 2e-4, 1e-4, corners=corners, angle=np.stack([angle[:3], angle[5:]]),
-                                  **given)(pressure)
+    given = {"coupling": coupling, "contact_modulus": MODULUS}
+    bent = deflection.Deflection(whole.shape, 2e-4, 1e-4, angle=angle if turn else None, **given)(whole)
+    parts = deflection.Deflection(shape, 2e-4, 1e-4, corners=corners,
+                                  angle=np.stack([angle[:3], angle[5:]]) if turn else None, **given)(pressure)
     np.testing.assert_allclose(parts[0], bent[:4, :3], rtol=1e-10)
     np.testing.assert_allclose(parts[1], bent[9:, 5:], rtol=1e-10)
 

@@ -1,12 +1,15 @@
-"""Witnesses for outputs that friction gives: creep forces by Polach's formula in numpy, or friction times
-pressure where all slides, and vector sums; a part of output_witnesses.py."""
+"""Witnesses for outputs that follow the motion of the wheelset and that friction gives: finite displacements,
+Polach's formula in numpy, or friction times pressure where all slides, and vector sums; a part of
+output_witnesses.py."""
 
+import json
 from math import cos, hypot, pi, sin
 
 import numpy as np
 
-from tests.helpers.motion_witnesses import patch_moves
-from tests.helpers.numpy_polach import polach
+from tests.helpers.motion import creepages, sliding
+from tests.helpers.paths import DATA
+from wrcontact import ContactSystem
 
 EXACT = 1e-9
 #: Between its nodes Kalker's table is a straight line here and smooth in the kernel [share of mu N].
@@ -19,6 +22,80 @@ OF_BOW = 0.01
 #: The middles of sixteen strips miss this share of the largest pressure, and the lines between them that.
 OF_LARGEST, OF_STATION = 0.05, 0.1
 YOUNG, POISSON = 210e9, 0.28
+#: Kalker's table E3: C11, C22, C23 by (a < b or a > b, ratio 0.1 ... 1, coefficient, Poisson's ratio 0, 0.25,
+#: 0.5).
+KALKER = np.array(json.loads((DATA / "creep" / "kalker_cij.json").read_text())["table"])
+
+
+def kalker(a, b, nu):
+    """C11, C22, C23 of an ellipse a along, b across: 1/C linear in ln(a/b) and a parabola in nu."""
+    nodes = np.array([0.0, 0.25, 0.5])
+    weights = [np.prod([(nu - other) / (node - other) for other in nodes if other != node]) for node in nodes]
+    ratios = np.arange(1, 11) / 10
+    rows = 1.0 / KALKER[0 if a < b else 1] @ weights
+    at = np.log(min(a / b, b / a))
+    return np.array([1.0 / np.interp(at, np.log(ratios), rows[:, k]) for k in range(3)])
+
+
+def polach(*, a, b, load, friction, shear_modulus, nu, x, y, spin):
+    """Force (2,) on the wheel [N] of an ellipse with the creepages x, y [1] and spin [1/m]: O. Polach, A fast
+    wheel-rail forces calculation computer code, Vehicle System Dynamics Supplement 33 (1999) 728-739.
+
+    The frame is x forward, y across, spin about x times y; creepages are those of the wheel.
+    """
+    c11, c22, c23 = kalker(a, b, nu)
+    bound = friction * load
+    lateral = y + spin * a if abs(y + spin * a) > abs(y) else y
+    whole = np.hypot(x, lateral)
+    slope = np.hypot(c11 * x, c22 * y) / np.hypot(x, y)
+    epsilon = np.pi * a * b * shear_modulus * slope * whole / (4.0 * bound)
+    push = 2.0 * bound / np.pi * (epsilon / (1.0 + epsilon**2) + np.arctan(epsilon))
+    wide = 1.0 + 6.3 * (1.0 - np.exp(-a / b))
+    of_spin = 8.0 / 3.0 * shear_modulus * b * np.sqrt(a * b) * c23 * whole / (bound * wide)
+    delta = (of_spin**2 - 1.0) / (of_spin**2 + 1.0)
+    k = of_spin * (delta**3 / 3 - delta**2 / 2 + 1 / 6) - (1.0 - delta**2) ** 1.5 / 3.0
+    force = -push / whole * np.array([x, y]) + [0.0, 9.0 / 16.0 * a * bound * k * wide * spin / whole]
+    return force * min(1.0, bound / np.hypot(*force))
+
+
+def equilibrium(name):
+    """Of a wheelset that is told its height and roll: where an elastic one stands under the load; of others
+    their own."""
+    def witness(scene):
+        value = scene.values[name]
+        if scene.mode == "compliant":
+            load = {key: scene.inputs[key] for key in ("lateral_shift", "yaw", "normal_force")}
+            value = getattr(ContactSystem(contact_mode="elastic").evaluate(**load), name)
+        yield value, 1e-12
+    return witness
+
+
+def motion(wheel, k):
+    """What :func:`tests.helpers.motion.sliding` asks for, of patch ``k``."""
+    given = wheel.inputs
+    names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
+             "roll_rate": "roll_rate", "curvature": "track_curvature"}
+    return dict(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
+                radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
+                angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"], roll=wheel.values["roll"],
+                speed=given["speed"], wheel_rate=given["wheel_rate"],
+                **{name: given[key] for name, key in names.items()})
+
+
+def patch_creepage(index):
+    """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
+    def witness(wheel, k):
+        if not wheel.inputs.get("speed"):
+            yield 0.0, 0.0
+            return
+        yield creepages(**motion(wheel, k))[index], 1e-6
+    return witness
+
+
+def patch_moves(wheel, k):
+    """Velocity of the wheel's surface against the rail (3,) [m/s], and rotation about the normal [rad/s]."""
+    slide, _, turning, _ = sliding(**motion(wheel, k))
+    return slide, turning
 
 
 def friction(wheel):

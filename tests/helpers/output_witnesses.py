@@ -11,7 +11,6 @@ from math import atan, atan2, cos, sin, tan
 import numpy as np
 
 from tests.helpers import creep_witnesses as creep
-from tests.helpers.motion_witnesses import equilibrium, patch_creepage
 from tests.helpers.wheel_witness import WheelWitness, track
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
@@ -367,8 +366,8 @@ WHEELSET = {
        for name, unit in (("force", "N"), ("moment", "N.m"), ("normal.force", "N"), ("normal.moment", "N.m"))
        for axis in "xyz"},
     "driving_torque": ("N.m", creep.driving_torque),
-    "equilibrium.vertical_shift": ("m", equilibrium("vertical_shift")),
-    "equilibrium.roll": ("rad", equilibrium("roll")),
+    "equilibrium.vertical_shift": ("m", creep.equilibrium("vertical_shift")),
+    "equilibrium.roll": ("rad", creep.equilibrium("roll")),
     "status": (None, status),
 }
 GEOMETRY = {
@@ -406,7 +405,7 @@ PATCH = {
     "rolling_radius": ("m", patch_radius),
     **{f"{axis}_track": ("m", patch_place(index)) for index, axis in enumerate("xyz")},
     **{f"force.{axis}": ("N", patch_force(index)) for index, axis in enumerate("xyz")},
-    **{f"creepage.{name}": (unit, patch_creepage(index))
+    **{f"creepage.{name}": (unit, creep.patch_creepage(index))
        for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))},
     "tangential.x": ("N", creep.tangential(0)),
     "tangential.y": ("N", creep.tangential(1)),

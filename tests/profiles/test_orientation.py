@@ -9,7 +9,6 @@ import wrcontact
 from tests.helpers.foreign_files import inclined_rail, worn_rail
 from tests.helpers.profile_points import MM, Y, Z, columns, error, miniprof, points, read, simpack
 from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
-from wrcontact.cli import main
 from wrcontact.profiles.orientation import head_of
 from wrcontact.profiles.repair import BACK
 
@@ -155,15 +154,10 @@ def test_a_prepared_profile_takes_no_options(tmp_path):
         Profile.from_file(path, "wheel", mirror_y=True)
 
 
-def test_the_command_line_takes_the_options(tmp_path, capsys):
-    def run(*words):
-        with pytest.raises(SystemExit) as ended:
-            main([str(word) for word in words], prog_name="wrcontact")
-        return ended.value.code, capsys.readouterr().err
-
+def test_the_command_line_takes_the_options(tmp_path, run):
     y, z = inclined_rail(1 / 40)
     path = write(tmp_path, columns(-y, z), "own.txt")
-    code, said = run("solve", "--rail", path, "--rail-mirror-y", "--rail-file-inclination", "1:40")
+    code, _, said = run("solve", "--rail", path, "--rail-mirror-y", "--rail-file-inclination", "1:40")
     assert not code and said == ""
     for words, sentence in (
             (["--rail-mirror-y"], "--rail-mirror-y is given; it is permitted only with --rail FILE"),
@@ -173,5 +167,5 @@ def test_the_command_line_takes_the_options(tmp_path, capsys):
              "'3' is not of the permitted form, two numbers Y,Z"),
             (["--rail", path, "--rail-file-inclination", "1:5"],
              "'1:5' is out of range; permitted is 0 ... 1:10")):
-        code, said = run("solve", *words)
+        code, _, said = run("solve", *words)
         assert code == 2 and sentence in said and said.count("\n") == 1

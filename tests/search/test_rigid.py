@@ -85,34 +85,6 @@ def test_brute_force_agrees_on_many(pose):
     compare_with_brute_force(*pose)
 
 
-def smallest_distance(state, sign, wheel, rail):
-    """Smallest vertical gap [m] of one side at the state's pose over a dense cloud of wheel points, straight
-    from the profiles: no locus, no kernel."""
-    shift, yaw = state.inputs[0], state.inputs[1]
-    y = np.linspace(-0.0695, 0.0599, 2600)
-    radius = 0.46 + wheel.height(y)
-    centre = getattr(state, "right" if sign > 0 else "left").contact.x_wheel
-    x = np.concatenate([np.linspace(-0.06, 0.06, 241), centre + np.linspace(-2e-3, 2e-3, 81)])[:, None]
-    point = np.array([x + 0 * y, sign * (0.75 + y) + 0 * x, np.sqrt(radius**2 - x**2)])
-    c, s = np.cos(state.roll), np.sin(state.roll)
-    rolled = np.array([point[0], c * point[1] - s * point[2], s * point[1] + c * point[2]])
-    lateral = np.sin(yaw) * rolled[0] + np.cos(yaw) * rolled[1] + shift
-    vertical = rolled[2] - 0.46 + state.vertical_shift
-    with np.errstate(invalid="ignore"):
-        return np.nanmin(rail.profile.height(sign * lateral - rail.y_track) - vertical)
-
-
-@pytest.mark.parametrize("shift, yaw", [(0.0, 0.0), (3e-3, 0.01), (5e-3, 0.0), (-6e-3, -0.02), (6.26e-3, 0.0),
-                                        (8e-3, 0.035), (-0.01, 0.05)])
-def test_nothing_penetrates(system, shift, yaw):
-    state = system.evaluate(lateral_shift=shift, yaw=yaw)
-    wheel = standard_profile("S1002")
-    rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
-    for sign in (-1, 1):
-        # touching, within the cloud's resolution (50 um at curvature 100 1/m) and the closed steps of S1002
-        assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
-
-
 def test_contact_point_is_one_point_in_all_frames(system):
     """Wheel frame to track frame by the attitude matrix, rail frame to track frame by the rail's place."""
     shift, yaw = 5.5e-3, 0.02

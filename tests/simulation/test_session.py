@@ -4,7 +4,9 @@ import math
 
 import pytest
 
+from tests.helpers.damages import damages
 from tests.helpers.fake_system import FakeSystem
+from tests.helpers.faults import needs_linux
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
     INPUT,
@@ -336,3 +338,21 @@ def test_state_of_another_build_is_refused(running, monkeypatch):
     monkeypatch.setattr(module, "BUILD", "wrcontact_0123")
     with pytest.raises(Refused, match="comes from wrcontact, this is wrcontact_0123"):
         running.restore(saved)
+
+
+@needs_linux
+@pytest.mark.parametrize("count", [500, pytest.param(20_000, marks=pytest.mark.full)])
+def test_damaged_states_of_a_session_are_refused(count):
+    """Those of the FMUs are in tests/fmu."""
+    one, other = (Session(tell=lambda sentence: None) for _ in range(2))
+    for session in (one, other):
+        session.start()
+        session.set_reals([0, 1], [3e-3, 1e-3])
+        session.step()
+    for name, bad in damages(one.snapshot(), 3, count):
+        with pytest.raises(Refused, match="the saved state .*; the present state is kept"):
+            one.restore(bad)
+            pytest.fail(name)
+    for session in (one, other):
+        session.set_reals([0], [6e-3])
+    assert one.get_reals([REFERENCE["roll"]]) == other.get_reals([REFERENCE["roll"]]) and one.status == 0

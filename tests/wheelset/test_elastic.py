@@ -3,28 +3,26 @@
 The witnesses are a published benchmark, limits, and scipy's root finders on the compliant form.
 """
 
-import csv
 import math
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq, root
 
+import data
 from tests.helpers.cases import FORCE, POSES, system
 from tests.helpers.elastic import carried, compliant, elastic, rail_slope_along
-from tests.helpers.paths import DATA
 
 # --- published equilibria -------------------------------------------------------------------------
 
 
 def manchester():
     """The Manchester contact benchmark (Shackleton and Iwnicki 2008), case A-2.2: shift, yaw, roll,
-    force, load transfer."""
-    with open(DATA / "manchester_a22_rolls.csv", newline="") as file:
-        for row in csv.DictReader(file):
-            left, right = float(row["normal_force_left_N"]), float(row["normal_force_right_N"])
-            yield (float(row["lateral_shift_mm"]) * 1e-3, float(row["yaw_rad"]), float(row["roll_rad"]),
-                   (left + right) / 2, (right - left) / (left + right))
+    force, load transfer, (n,) each."""
+    table = data.columns(data.MANCHESTER)
+    left, right = (table[f"normal_force_{side}_N"] for side in ("left", "right"))
+    return (1e-3 * table["lateral_shift_mm"], table["yaw_rad"], table["roll_rad"], (left + right) / 2,
+            (right - left) / (left + right))
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
@@ -32,7 +30,7 @@ def test_rolls_of_the_manchester_benchmark(model):
     """Published rolls have four digits, and CONTACT's equilibrium of heights closes to 1 um, 7e-7 rad.
 
     Bounds are 1.3 (mean) and 1.5 times what is measured."""
-    shift, yaw, roll, force, transfer = np.array(list(manchester())).T
+    shift, yaw, roll, force, transfer = manchester()
     found = elastic(normal_model=model).evaluate_many(shift, yaw, force, transfer)
     assert not np.any(found.status)
     error = np.abs(found.roll - roll)

@@ -53,16 +53,6 @@ def test_resultant_of_a_centred_wheelset_is_its_weight():
         assert state.force.x == state.moment.y == state.moment.z == 0.0
 
 
-@pytest.mark.parametrize("mode", ["elastic", "rigid"])
-def test_vertical_load_is_what_the_wheels_carry_vertically(mode):
-    rng = np.random.default_rng(31)
-    shift, force, transfer = rng.uniform(-6.2e-3, 6.2e-3, 200), rng.uniform(1e3, 1e5,
-                                                                            200), rng.uniform(-0.9, 0.9, 200)
-    table = system(contact_mode=mode, load="vertical").evaluate_many(shift, 0.01, force, transfer)
-    assert not np.any(table.status)
-    np.testing.assert_allclose(-table.force.z, 2 * force, rtol=1e-9)
-
-
 def test_forces_nearly_come_from_a_potential():
     """A height's force and a roll's moment are derivatives of one energy if contact conserves it. ANALYN's
     nearly does: the stiffness's two halves differ by 2.0 % of k_zz times half the distance of the wheels at
