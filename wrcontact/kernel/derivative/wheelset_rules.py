@@ -190,7 +190,7 @@ def differentiate(left_tables: Tables, right_tables: Tables, work: Work) -> bool
 
 def follow_load(work: Work):
     """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken
-    to grow as the load, and what is left of its rate after one turn is put right in the next."""
+    to grow as the load, and what is left of its rate after one turn is corrected in the next."""
     for index in range(2):
         support = work.supports[index]
         share = carried_share(work, index)
