@@ -17,7 +17,7 @@ from pathlib import Path
 from wrcontact.plots import style
 from wrcontact.progress import tracked
 
-from . import pages, parts, pictures, random_poses, rows, store
+from . import pages, parts, random_poses, record, rows
 from .pages import TABLES, written
 from .tables import random_table
 
@@ -32,13 +32,13 @@ def main(arguments=None):
     names = parts.named(options.what)
     if options.write:
         parts.write([] if options.render else names, rows.FULL)
-        style.save(pictures.figure(pictures.stored_points()), store.ROOT / pictures.PATH)
-        style.save(pictures.creep_figure(*pictures.stored_creep()), store.ROOT / pictures.CREEP_PATH)
+        style.save(pages.figure(pages.stored_points()), record.ROOT / pages.PATH)
+        style.save(pages.creep_figure(*pages.stored_creep()), record.ROOT / pages.CREEP_PATH)
         for page in pages.write():
             print(page, file=sys.stderr)
         return
     effort = rows.QUICK if options.quick else rows.FULL
-    measured = {name: store.headed(*parts.measured(name, effort)) for name in tracked(names, "measurements")}
+    measured = {name: record.headed(*parts.measured(name, effort)) for name in tracked(names, "measurements")}
     for name, table in TABLES.items():
         if set(table.parts) <= set(measured):
             print(f"### {name}\n\n{written(table, measured)}\n", flush=True)

@@ -32,9 +32,8 @@ from wrcontact.kernel.binding.library import default_kernel, span
 from wrcontact.progress import tracked
 
 from . import random_poses, times
-from .machine import Cost, cost, costs
+from .record import Cost, cost, costs, short
 from .rows import fmu_step, python_fmu
-from .store import short
 
 STORED = CREEP / "held_out.json"
 SEED, FIRST = 2112, 700_000

@@ -96,13 +96,13 @@ def gap_curve(system, shift, yaw, force, name):
 def normal_gaps(tables, work, s):
     """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point
     outwards."""
-    tables, work = layout.Tables.at(tables), layout.Work.at(work)
+    pair, work = layout.Tables.at(tables).pairs[1], layout.Work.at(work)
     g, A = np.full(len(s), frame.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
         traces.start_traces(work.contact.frame, 0.0, work.contact.frame.rail.y, work.contact.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = frame.normal_gap(tables, work.contact.frame, float(s[j]), 1e-10)
+            gap, _, _, curvature = frame.normal_gap(pair, work.contact.frame, float(s[j]), 1e-10)
             if gap >= frame.NO_GAP:
                 break
             g[j], A[j] = gap, curvature / 2

@@ -16,19 +16,16 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
 from data import halfspace_reference
-from wrcontact.kernel.binding.fixed_tables import coefficients
+from wrcontact.study.sections import NR, ONE_ALPHA, RANGE
 
 MODULUS = halfspace_reference.CONTACT_MODULUS  # E* [Pa]
 FLOOR = 0.02  # smallest B as a share of A
 STATIONS = 800  # of a region
 COVER = 1.35  # half-widths that they reach
-RANGE = 14.0  # of |ln(B/A)|
-_LOG_RATIO = np.linspace(-RANGE, RANGE, 2801)
-_ONE_ALPHA, _NR = (CubicSpline(_LOG_RATIO, column) for column in coefficients(_LOG_RATIO))
 
 
 def one_alpha(A, B):
-    return _ONE_ALPHA(np.clip(np.log(B / A), -RANGE, RANGE))
+    return ONE_ALPHA(np.clip(np.log(B / A), -RANGE, RANGE))
 
 
 def one_beta(A, B):
@@ -36,7 +33,7 @@ def one_beta(A, B):
 
 
 def nr(A, B):
-    return _NR(np.clip(np.log(B / A), -RANGE, RANGE))
+    return NR(np.clip(np.log(B / A), -RANGE, RANGE))
 
 
 class Curve:

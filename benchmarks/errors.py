@@ -9,7 +9,6 @@ Besides them: what other preparations of ANALYN's input change, what the number 
 elastic equilibrium.
 """
 
-import csv
 import math
 from functools import cache
 from typing import NamedTuple
@@ -172,8 +171,6 @@ def station_errors():
 TRIAL_POSES = 500
 MODELS = "hertz", "analyn", "analyn_strip"
 NEAR = 6.5  # [mm] flange contact begins
-MANCHESTER_COLUMNS = ("lateral_shift_mm", "yaw_rad", "roll_rad", "normal_force_left_N",
-                      "normal_force_right_N")
 
 
 def trials(model, load):
@@ -221,14 +218,14 @@ def roll_steps(quick=False):
 def manchester():
     """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [µrad], elastic and
     rigid, up to NEAR [mm] and beyond."""
-    with open(data.MANCHESTER, newline="", encoding="utf-8") as file:
-        shift, yaw, roll, left, right = np.array([[float(row[name]) for name in MANCHESTER_COLUMNS]
-                                                  for row in csv.DictReader(file)]).T
+    run = data.columns(data.MANCHESTER)
+    shift, left, right = (run[name] for name in ("lateral_shift_mm", "normal_force_left_N",
+                                                 "normal_force_right_N"))
     rows = {}
     for mode in ("elastic", "rigid"):
-        table = system(contact_mode=mode).evaluate_many(1e-3 * shift, yaw, (left + right) / 2,
+        table = system(contact_mode=mode).evaluate_many(1e-3 * shift, run["yaw_rad"], (left + right) / 2,
                                                         (right - left) / (left + right))
-        off = 1e6 * np.abs(table.roll - roll)
+        off = 1e6 * np.abs(table.roll - run["roll_rad"])
         rows[mode] = {"near": off[shift <= NEAR].max(), "beyond": off[shift > NEAR].max()}
     return rows
 
@@ -236,7 +233,6 @@ def manchester():
 # ---------------------------------------------------------------------- patches that turn (docs/conformal.md)
 
 
-CONFORMAL = data.FOLDER / "conformal.csv"
 TURNING_SHIFTS = (1e-3, 6e-3, 6.25e-3)  # [m]
 TURNING_UNITS = (1e-6, 1e-6, 1e6)  # µm, mm², MPa
 TURNING_MODELS = {"halfspace": "half-space", "analyn_strip": "strips", "analyn": "ANALYN"}
@@ -264,8 +260,7 @@ def turning_poses(shifts):
 
 def against_contact(model, count=None):
     """Mean and worst error [%], and those of every row or of ``count``."""
-    with open(CONFORMAL, newline="", encoding="utf-8") as file:
-        rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)][:count]
+    rows = data.rows_of(data.CONFORMAL)[:count]
     errors = []
     for row in rows:
         side = system(normal_model=model, contact_mode="compliant").evaluate(
@@ -311,7 +306,7 @@ def planar_contact(system, state, force):
                          vertical_shift=state.vertical_shift)
     wheel = state.right
     return solve_contact(plane_gap(pair, wheel.contact, wheel.contact_angle), (-REACH, REACH, -REACH, REACH),
-                         contact_modulus=tables[layout.SET_CONTACT_MODULUS], force=force)
+                         contact_modulus=layout.Tables.at(tables).contact_modulus, force=force)
 
 
 def plane_gap(pair, contact, angle):

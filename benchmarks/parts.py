@@ -14,7 +14,7 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, curvature, errors, machine, profiles, random_poses, rows, searches, store, times
+from . import creep, curvature, errors, random_poses, record, rows, studies, times
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -31,11 +31,11 @@ class Part(NamedTuple):
 def measured(name, effort):
     """Measure a part and return what is kept of it: rows, and conditions in words."""
     part = PARTS[name]
-    machine.restart()
+    record.restart()
     found = part.measure(effort)
     if part.kind != TIMES:
         return found, {}
-    return found, {"machine": machine.machine(), "noise": machine.noise(),
+    return found, {"machine": record.machine(), "noise": record.noise(),
                    "time": "elapsed time" if name == "threads" else "processor time"}
 
 
@@ -55,7 +55,7 @@ def named(words):
 def write(names, effort):
     """Measure parts and keep their numbers; an interrupted run keeps the parts that are done."""
     for name in tracked(names, "measurements"):
-        store.save(name, *measured(name, effort))
+        record.save(name, *measured(name, effort))
 
 
 # -------------------------------------------------------------------------------------------- model by model
@@ -120,7 +120,7 @@ def random_errors(effort):
 
 def source_searches(effort):
     return {name: {"header": header, "rows": cells}
-            for name, (header, cells) in searches.tables(quick=effort is rows.QUICK).items()}
+            for name, (header, cells) in studies.tables(quick=effort is rows.QUICK).items()}
 
 
 def source_figures(effort):
@@ -140,8 +140,8 @@ PARTS = {
     "counts": Part(ERRORS, lambda effort: times.count_table(min(effort.count, COUNTED))),
     "choices": Part(ERRORS, lambda effort: errors.choice_changes()),
     "stations": Part(ERRORS, lambda effort: errors.station_errors()),
-    "conicity": Part(ERRORS, lambda effort: profiles.conicities()),
-    "en15302": Part(ERRORS, lambda effort: profiles.en15302_rows()),
+    "conicity": Part(ERRORS, lambda effort: studies.conicities()),
+    "en15302": Part(ERRORS, lambda effort: studies.en15302_rows()),
     "manchester": Part(ERRORS, lambda effort: errors.manchester()),
     "elastic_trials": Part(ERRORS, lambda effort: errors.all_trials()),
     "tangential_errors": Part(ERRORS, lambda effort: creep.errors()),
@@ -157,9 +157,9 @@ PARTS = {
     "conformal": Part(STUDIES, lambda effort: errors.turning_patches(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),
     "curvature": Part(STUDIES, lambda effort: curvature.study(quick=effort is rows.QUICK)),
-    "conicity_noise": Part(STUDIES, lambda effort: profiles.noisy_conicities()),
+    "conicity_noise": Part(STUDIES, lambda effort: studies.noisy_conicities()),
     "elastic_roll": Part(STUDIES, lambda effort: errors.roll_steps(quick=effort is rows.QUICK)),
-    "profile_noise": Part(STUDIES, lambda effort: profiles.noise_study(quick=effort is rows.QUICK)),
+    "profile_noise": Part(STUDIES, lambda effort: studies.noise_study(quick=effort is rows.QUICK)),
     "source_searches": Part(STUDIES, source_searches),
     "source_figures": Part(STUDIES, source_figures),
 }

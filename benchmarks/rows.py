@@ -24,7 +24,7 @@ from wrcontact.methods import Analyn, Strip
 
 from . import errors
 from .errors import FORCE, anywhere, system, trajectory
-from .machine import Cost, cost, unit
+from .record import Cost, cost, unit
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from wrcontact.methods import TangentialModel
+
 from .creep import (
     ALONE,
     ELEMENTS,
@@ -300,16 +302,9 @@ def conformal_table(parts):
 CREEP_NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses "
               "on which no constant of a model was chosen. Units: of one patch.")
 CREEP_PARTS = ("tangential_errors", "tangential_times")
-#: What docs/models.md says of the models: description, and what to use it for.
-WORDS = {
-    "none": ("no friction", "normal contact alone"),
-    "strips": ("coupled strips on the patch as it is, corrected by exact solutions of ellipses",
-               "simulations"),
-    "fastrip": ("strip theory joined with FASTSIM", "comparison with other programs"),
-    "fastsim": ("Kalker's simplified theory", "comparison with other programs"),
-    "polach": ("Polach's formula for one ellipse", "rough studies with little spin"),
-    "halfspace": ("complete theory of steady rolling", "reference; Python only, 0.1 s a patch"),
-}
+#: What to use a model for, where not to compare with other programs.
+USES = {"none": "normal contact alone", "strips": "simulations", "polach": "rough studies with little spin",
+        "halfspace": "reference; Python only, 0.1 s a patch"}
 
 
 def creep_force_table(parts):
@@ -370,15 +365,16 @@ def creep_model_table(parts):
     """The models as docs/models.md has them."""
     errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
     rows = []
-    for name, (description, use) in WORDS.items():
-        cells = ["", "", ""]
+    for model in TangentialModel.family.methods:
+        name, cells = model.name, ["", "", ""]
         if name in errors:
             cells = [*(precise(errors[name][label]["force"]) for label in (NEW_PATCHES, NEW_ELLIPSES)),
                      figure(times[name]["units"])]
         elif name == "halfspace":
             cells = ["0 by definition", "0 by definition", ""]
         default = " (default)" if name == WITHOUT else ""
-        rows.append([f'`"{name}"`{default}', description, use, *cells])
+        use = USES.get(name, "comparison with other programs")
+        rows.append([f'`"{name}"`{default}', model.words, use, *cells])
     return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses",
                  "units"], rows, words=3)
 

@@ -20,7 +20,7 @@ import wrcontact
 from wrcontact.kernel import layout
 
 from .errors import FORCE, MODELS, STATION_NUMBERS, anywhere, hunting, inputs_of, system, trajectory
-from .machine import Cost, cost, costs, unit
+from .record import Cost, cost, costs, unit
 from .rows import batch
 
 NO_YAW, COARSE = "no yaw", "tolerance 0.02 instead of 0.0015"
@@ -166,7 +166,7 @@ def threads(number, rounds, counts=THREADS):
 
 
 def station_times(effort):
-    """By number: :class:`~benchmarks.machine.Cost` of a step of the trajectory without yaw."""
+    """By number: :class:`~benchmarks.record.Cost` of a step of the trajectory without yaw."""
     poses = trajectory(effort.count, yaw=0.0)
     return costs({str(number): (batch(system(stations=number), poses), effort.count)
                   for number in STATION_NUMBERS}, effort)
@@ -179,7 +179,7 @@ def sine():
 
 
 def elastic_times(effort):
-    """By model and contact mode: :class:`~benchmarks.machine.Cost` of a step of the sine; the compliant
+    """By model and contact mode: :class:`~benchmarks.record.Cost` of a step of the sine; the compliant
     form's at the elastic positions."""
     shift, yaw = sine()
     stand = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
@@ -190,7 +190,7 @@ def elastic_times(effort):
 
 
 def derivative_times(effort):
-    """By case: :class:`~benchmarks.machine.Cost` of a step and a derivative along the lateral shift."""
+    """By case: :class:`~benchmarks.record.Cost` of a step and a derivative along the lateral shift."""
     return costs({name: (derivatives(options), DERIVATIVE_POSES) for name, options in DERIVATIVES.items()},
                  effort)
 
@@ -255,7 +255,7 @@ def counted(stepper):
 
 def raster():
     """Number of nodes on the wheel: gap evaluations of a scan without bounds."""
-    return layout.Tables.at(system()._tables).scan.count
+    return layout.Tables.at(system()._tables).pairs[1].scan.count
 
 
 def count_table(count):

@@ -9,6 +9,7 @@ import numpy as np
 
 FOLDER = Path(__file__).parent
 POSITIONS = FOLDER / "positions.csv"
+CONFORMAL = FOLDER / "conformal.csv"
 MANCHESTER = FOLDER / "manchester_a22_rolls.csv"
 #: Runs of many poses, with their expected outputs.
 TRAJECTORIES = FOLDER / "trajectories"
@@ -21,3 +22,8 @@ def columns(path):
     with open(path, newline="", encoding="utf-8") as file:
         names, *rows = csv.reader(file)
     return dict(zip(names, np.array(rows, dtype=float).T))
+
+
+def rows_of(path):
+    """The rows of such a table, numbers by name."""
+    return [dict(zip(columns(path), row)) for row in np.transpose([*columns(path).values()]).tolist()]

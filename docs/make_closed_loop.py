@@ -25,7 +25,7 @@ from examples.hunting_wheelset.stability import LINEAR, LINEAR_FRICTION, Linear 
 from wrcontact.plots.style import save  # noqa: E402
 
 PAGE, IMAGES = ROOT / "docs" / "closed_loop.md", ROOT / "docs" / "img"
-MODELS = ("strips", "fastsim", "fastrip", "polach")
+MODELS = wrcontact.methods.TangentialModel.family.names(python=False)[1:]
 
 
 def table(head, rows):

@@ -10,6 +10,8 @@ before anything is translated.
     def f(...) -> Region                              def f(...) -> int
     def f(...) without a result                       the same with ``return 0`` at its end
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
+    copy(region, to)              for i_1 in range(REGION_SIZE): work[to + i_1] = work[region + i_1]
+    clear(region)                 for i_2 in range(REGION_SIZE): work[region + i_2] = 0.0
 
 The classes of the room layout (record_layout.py) say where each field is and in which array each record
 lives; those with ``array = "..."`` are that array's head. What is not a field, and a record of another
@@ -26,6 +28,8 @@ from record_layout import Layout, Refused, constant, is_record, is_root, is_run
 
 #: Marks for the C compiler (layout/record.py).
 MARKS = {"inlined", "seldom"}
+#: Words of the dialect that become something else.
+WORDS = {"clear", "copy", "offset"}
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")
 # records, or numbers, at the sum of ``terms`` in ``array``
@@ -73,7 +77,7 @@ class Lowered(ast.NodeTransformer):
         for mark in node.decorator_list:
             self.edits.append(((mark.lineno, 0), (mark.end_lineno, mark.end_col_offset), ""))
         parameters = record_parameters(node, self.layout)
-        self.records = {}
+        self.records, self.loops = {}, 0
         self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)
                          and isinstance(n.ctx, ast.Store)]
         for name, kind in parameters:
@@ -140,10 +144,23 @@ class Lowered(ast.NodeTransformer):
             elif (isinstance(node, ast.Return) and isinstance(node.value, ast.Name)
                   and node.value.id in self.records):
                 self.edit(node.value, node.value, ast.unparse(total(self.records[node.value.id].terms)))
+            elif isinstance(node, ast.Expr) and ast.unparse(node).startswith(("copy(", "clear(")):
+                self.edit(node, node, self.loop(node.value))
             elif isinstance(node, (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)):
                 self.replace(node)
             for body in (getattr(node, "body", []), getattr(node, "orelse", [])):
                 self.block(body)
+
+    def loop(self, call):
+        """``copy`` or ``clear`` as a loop over all numbers, in one line."""
+        refs = [self.ref(argument) for argument in call.args]
+        sizes = {ref and (is_record(ref.kind) or is_run(ref.kind)) and sizeof(ref.kind) for ref in refs}
+        if not all(sizes) or len(sizes) > 1:
+            self.refuse(call, f"{ast.unparse(call)}: no records of one size")
+        self.loops += 1
+        places = [f"{ref.array}[{ast.unparse(total([*ref.terms, f'i_{self.loops}']))}]" for ref in refs]
+        return (f"for i_{self.loops} in range({ast.unparse(numbers(refs[0].kind))}): {places[-1]} = "
+                + (places[0] if len(places) == 2 else "0.0"))
 
     def note(self, node):
         """A record under a local name: an offset, or nothing at all where it has only one place."""
@@ -179,6 +196,8 @@ class Lowered(ast.NodeTransformer):
             place = Ref(self.field(node, outer.kind), outer.array,
                         [*outer.terms, self.layout.offset(outer.kind, node.attr)])
             if node.attr in outer.kind.targets and isinstance(node.ctx, ast.Load):
+                if is_root(outer.kind.targets[node.attr]):      # the array's own head
+                    return Ref(outer.kind.targets[node.attr], outer.array, [])
                 return Ref(outer.kind.targets[node.attr], outer.array,
                            [*outer.terms, integer(self.element(place, ast.Load()))])
             return place
@@ -192,10 +211,7 @@ class Lowered(ast.NodeTransformer):
                 middle = getattr(outer.kind, "middle", 0) if many else 0
                 return Ref(float, outer.array,
                            [*outer.terms, *([ast.Constant(middle)] if middle else []), index])
-            size = ast.Constant(sizeof(element) // 8)
-            if is_record(element):
-                size = ast.Name(f"{constant(element.__name__)}_SIZE", ast.Load())
-            terms = [] if ast.unparse(index) == "0" else [ast.BinOp(size, ast.Mult(), index)]
+            terms = [] if ast.unparse(index) == "0" else [ast.BinOp(numbers(element), ast.Mult(), index)]
             return Ref(element, outer.array, [*outer.terms, *terms])
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "at":
             kind, outer = self.layout.classes.get(ast.unparse(node.func.value)), self.ref(node.args[0])
@@ -271,7 +287,7 @@ class Lowered(ast.NodeTransformer):
             return self.generic_visit(node)
         if len(parameters) != len(node.args):
             self.refuse(node, f"{name} has {len(parameters)} parameters")
-        arguments = [ast.Name(self.given_array(array, parameters, node.args), ast.Load())
+        arguments = [ast.Name(self.array_name(array), ast.Load())
                      for array in added_arrays(parameters, self.layout)]
         for (parameter, kind), argument in zip(parameters, node.args):
             ref = self.ref(argument) if kind else None
@@ -284,14 +300,6 @@ class Lowered(ast.NodeTransformer):
             elif self.layout.home(kind)[1] is None:
                 arguments.append(total(ref.terms))
         return ast.Call(node.func, arguments, [])
-
-    def given_array(self, array, parameters, arguments):
-        """The array in which the records among the arguments of a call live: one of several of a class."""
-        for (_, kind), argument in zip(parameters, arguments):
-            ref = self.ref(argument) if kind and self.layout.home(kind)[0] == array else None
-            if ref:
-                return ref.array
-        return self.array_name(array)
 
     def visit_Name(self, node):
         ref = self.records.get(node.id)
@@ -320,7 +328,7 @@ class Lowered(ast.NodeTransformer):
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
                 names = wanted.union(alias.name for alias in node.names)
-                names -= {*self.layout.classes, "offset", *MARKS}
+                names -= {*self.layout.classes, *WORDS, *MARKS}
                 self.edit(node, node, f"from .layout import {', '.join(sorted(names))}" if names else "")
             elif isinstance(node, ast.ImportFrom) and node.module == "record":
                 self.edit(node, node, "")
@@ -330,6 +338,12 @@ class Lowered(ast.NodeTransformer):
             head, tail = self.lines[start[0] - 1][:start[1]], self.lines[stop[0] - 1][stop[1]:]
             self.lines[start[0] - 1:stop[0]] = [head + text.encode() + tail]
         return b"\n".join(self.lines)
+
+
+def numbers(kind):
+    """How many numbers a record or a run is, of a record by name."""
+    return (ast.Name(f"{constant(kind.__name__)}_SIZE", ast.Load()) if is_record(kind)
+            else ast.Constant(sizeof(kind) // 8))
 
 
 def integer(expression):

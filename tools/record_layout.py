@@ -27,6 +27,8 @@ class Layout:
             if not is_record(kind):
                 continue
             self.values[f"{constant(name)}_SIZE"] = sizeof(kind) // 8
+            kind.targets.update({field: named[target] for field, target in kind.targets.items()
+                                 if isinstance(target, str)})
             for field, _ in kind._fields_:
                 self.values[self.offset(kind, field)] = getattr(kind, field).offset // 8
         for name, value in self.values.items():
@@ -46,7 +48,8 @@ class Layout:
             if is_record(inner) or is_run(inner):
                 self.walk(inner, array, [*terms, self.offset(kind, field)], single)
         for target in kind.targets.values():
-            self.walk(target, array, [], False)
+            if not is_root(target):
+                self.walk(target, array, [], False)
 
     @staticmethod
     def offset(kind, field):

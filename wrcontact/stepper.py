@@ -28,10 +28,9 @@ class Stepper:
 
     Parameters
     ----------
-    tables : settings and tables of the system's right side; the stepper works on a copy.
-    bind : called with tables, state, workspace, inputs and outputs, and ``left`` with the tables of the left
-        side; returns the solver that works on these arrays.  None is the kernel.
-    left : settings and tables of the left side; None, or the same array, where both sides are equal.
+    tables : settings and tables of the system; the stepper works on a copy.
+    bind : called with tables, state, workspace, inputs and outputs; returns the solver that works on these
+        arrays.  None is the kernel.
 
     Attributes
     ----------
@@ -43,29 +42,22 @@ class Stepper:
     compiled : whether the compiled kernel is used.
     """
 
-    def __init__(self, tables, bind=None, left=None):
+    def __init__(self, tables, bind=None):
         self._tables = tables.copy()
-        self._left_tables = self._tables if left is None or left is tables else left.copy()
         self.inputs = np.zeros(layout.INPUT_COUNT)
         self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
         bind = bind or default_kernel().bind
-        self._bound = bind(self._tables, self.state, self._workspace, self.inputs, self.outputs,
-                           left=self._left_tables)
+        self._bound = bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
         self.compiled = self._bound.compiled
         self._penetration = None
         self._wanted = ("both", "all")
 
     @property
     def tables(self):
-        """Settings and tables of the right side, with what is wanted and prescribed."""
+        """Settings and tables, with what is wanted and prescribed."""
         return self._tables
-
-    @property
-    def left_tables(self):
-        """Those of the left side; the same array where both sides are equal."""
-        return self._left_tables
 
     def step(self):
         """Evaluate the inputs into the outputs; return the status (an int).
@@ -111,7 +103,8 @@ class Stepper:
         """
         if penetration is self._penetration:
             return
-        if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
+        settings = layout.Tables.at(self._tables)
+        if settings.mode != layout.MODE_RIGID:
             raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
                              "is none, since it follows from the load or from the height")
         try:
@@ -124,10 +117,8 @@ class Stepper:
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):
                 raise ValueError(f"penetration ({side}) is {value:g} m; permitted is {low:g} ... {high:g} m")
-        for tables in (self._tables, self._left_tables):
-            tables[layout.SET_PENETRATION_LEFT] = left
-            tables[layout.SET_PENETRATION_RIGHT] = right
-        self._workspace[layout.WORK_KNOWN] = 0.0
+        settings.penetration[:] = left, right
+        layout.Work.at(self._workspace).known = False
         self._penetration = penetration
 
     def want(self, side="both", outputs="all"):
@@ -136,7 +127,7 @@ class Stepper:
             return
         for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
             check_choice(name, value, choices)
-        for tables in (self._tables, self._left_tables):
-            tables[layout.SET_SIDES], tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
-        self._workspace[layout.WORK_KNOWN] = 0.0
+        settings = layout.Tables.at(self._tables)
+        settings.sides, settings.depth = SIDES[side], DEPTHS[outputs]
+        layout.Work.at(self._workspace).known = False
         self._wanted = (side, outputs)

@@ -24,7 +24,8 @@ from .interface.calls import (
 from .interface.inputs import INPUTS
 from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, warn_of_parameters
 from .kernel import layout
-from .kernel.binding.setup import prepare_sides
+from .kernel.binding.setup import prepare_sides, profile_tables
+from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
 from .profiles.catalogue import find_profile
 from .results.columns import selected
@@ -73,16 +74,15 @@ class ContactSystem:
         self.resolution = self.methods["normal_model"].resolution
         smoothing = self.parameters["smoothing"]
         self.wheel, self.rail, self.left_wheel, self.left_rail = self._find_profiles(smoothing)
-        self._tables, self._left_tables = self._prepare()
+        self._tables = self._prepare()
         self._own = threading.local()
         self._elastic = None            # the same wheelset in elastic contact, once it is needed
 
     def _prepare(self):
-        both = prepare_sides((self.wheel, self.rail), (self.left_wheel, self.left_rail),
-                             parameters=self.parameters, methods=self.methods)
-        for tables in both:
-            tables[layout.SET_STATIONS] = self.parameters["stations"]
-        return both
+        tables = prepare_sides((self.wheel, self.rail), (self.left_wheel, self.left_rail),
+                               parameters=self.parameters, methods=self.methods)
+        layout.Tables.at(tables).stations = self.parameters["stations"]
+        return tables
 
     def _find_profiles(self, smoothing):
         """Wheel and rail of the right side, wheel and rail of the left side."""
@@ -96,12 +96,12 @@ class ContactSystem:
     @property
     def equal_sides(self):
         """Whether the left side is the mirror image of the right one."""
-        return self._left_tables is self._tables
+        return equal_sides(layout.Tables.at(self._tables))
 
     @property
     def centre_height(self):
         """Height of the wheelset's centre above the running circles [m]: the mean of both nominal radii."""
-        return float(self._tables[layout.SET_HEIGHT])
+        return layout.Tables.at(self._tables).height
 
     @property
     def title(self):
@@ -118,10 +118,7 @@ class ContactSystem:
         """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the
         wheel's table, that of the rail as it leans, and the track coordinate of the rail's highest point [m],
         each as those of a right side."""
-        tables = self._left_tables if side == "left" else self._tables
-        places = (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN)
-        wheel, rail, scan = (int(tables[at]) for at in places)
-        return tables[wheel:rail], tables[rail:scan], float(tables[layout.SET_RAIL_Y])
+        return profile_tables(self._tables, 0 if side == "left" else 1)
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -157,13 +154,12 @@ class ContactSystem:
         if isinstance(self.methods["normal_model"], Halfspace):
             from .halfspace.stepping import halfspace_solver  # scipy is not needed before
 
-            return Stepper(self._tables, halfspace_solver(*self._halfspace), self._left_tables)
+            return Stepper(self._tables, halfspace_solver(*self._halfspace))
         if isinstance(self.methods["tangential_model"], HalfspaceRolling):
             from .halfspace.rolling_step import RollingSolver
 
-            return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]),
-                           self._left_tables)
-        return Stepper(self._tables, left=self._left_tables)
+            return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]))
+        return Stepper(self._tables)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
         """The contact of both wheels at one pose.
@@ -266,7 +262,7 @@ class ContactSystem:
             return stepper.parts(rows, places)
         from .halfspace.stepping import shared_parts
 
-        return shared_parts((stepper.tables, stepper.left_tables), self._halfspace, rows, places, processes)
+        return shared_parts(stepper.tables, self._halfspace, rows, places, processes)
 
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, inputs), the selection of outputs, and a stepper for

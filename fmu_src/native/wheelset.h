@@ -62,8 +62,7 @@ typedef struct {
     wheelset_core core;
     wheelset_tell *tell;                    /* is told one sentence for every step whose status is not 0 */
     void *owner;
-    array_double_1d left_tables;            /* the same array as on the right where both sides are equal */
-    array_double_1d right_tables;
+    array_double_1d tables;
     double *workspace;
     double *derivative_room;                   /* memory of a directional derivative */
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */

@@ -37,7 +37,7 @@ size_t wheelset_rate_of(uint32_t reference)
 static void differentiate_equilibrium(wheelset *self, const double seed[MODEL_INPUTS], double rates[RATES])
 {
     const wrcontact_handle handle = wheelset_handle(self);
-    const double mode = self->right_tables.data[layout__SET_MODE];
+    const double mode = self->tables.data[layout__TABLES_MODE];
     if (wheelset_is_compliant(self))
         wheelset_set_mode(self, layout__MODE_ELASTIC);
     wrcontact_derivative(&handle, seed, rates, self->derivative_room);

@@ -28,14 +28,14 @@ wrcontact_handle wheelset_handle(wheelset *self)
 {
     wheelset_core *core = &self->core;
     const wrcontact_handle handle = {
-        self->left_tables, self->right_tables, span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
+        self->tables, span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
         span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, ROW)};
     return handle;
 }
 
 void wheelset_set_mode(wheelset *self, double mode)
 {
-    self->left_tables.data[layout__SET_MODE] = self->right_tables.data[layout__SET_MODE] = mode;
+    self->tables.data[layout__TABLES_MODE] = mode;
 }
 
 /* The elastic wheelset that carries the load of the inputs, in the room of a derivative: its status, with the outputs at
@@ -43,9 +43,9 @@ void wheelset_set_mode(wheelset *self, double mode)
 static int balance(wheelset *self, const double **outputs)
 {
     double *state = self->derivative_room + MODEL_WORK, *row = state + MODEL_MEMORY;
-    const double mode = self->right_tables.data[layout__SET_MODE];
+    const double mode = self->tables.data[layout__TABLES_MODE];
     const wrcontact_handle handle = {
-        self->left_tables, self->right_tables, span_of(state, MODEL_MEMORY), span_of(self->derivative_room, MODEL_WORK),
+        self->tables, span_of(state, MODEL_MEMORY), span_of(self->derivative_room, MODEL_WORK),
         span_of(self->core.values, MODEL_INPUTS), span_of(row, ROW)};
     memset(self->derivative_room, 0, (MODEL_WORK + MODEL_MEMORY) * sizeof(double));
     wheelset_set_mode(self, layout__MODE_ELASTIC);

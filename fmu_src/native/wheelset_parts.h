@@ -19,7 +19,7 @@ int wheelset_build(wheelset *self);             /* the tables for the present pa
 /* wheelset_evaluation.c */
 bool wheelset_is_compliant(const wheelset *self);
 wrcontact_handle wheelset_handle(wheelset *self);           /* the kernel's arrays */
-void wheelset_set_mode(wheelset *self, double mode);        /* let the tables of both sides be those of a contact mode */
+void wheelset_set_mode(wheelset *self, double mode);        /* let the tables be those of a contact mode */
 void wheelset_evaluate(wheelset *self);                     /* one step of the kernel, and its outcome */
 void wheelset_tell_status(wheelset *self);
 

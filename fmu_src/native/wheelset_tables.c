@@ -14,14 +14,9 @@
 #include "kernel/generated/constants.h"
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
+enum { NO_MEMORY = -100 };      /* beside the outcomes of the kernel's preparation */
 
-/* What a user calls the profiles of a side, and where their names are. */
-typedef struct {
-    const char *wheel, *rail;
-    int wheel_slot, rail_slot;
-} side_choice;
-
-/* The kernel's setup of the right side from the parameters. */
+/* The kernel's setup from the parameters. */
 static int fill_setup(wheelset *self, double *setup)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
@@ -65,27 +60,22 @@ static int fill_setup(wheelset *self, double *setup)
     return 0;
 }
 
-/* The setup of the left side, with what differs there, and the height of the wheelset's centre in both. */
-static int fill_left_setup(wheelset *self, double *left, double *right)
+/* What differs on the left side; 0 means as on the right. */
+static int fill_left(wheelset *self, double *setup)
 {
-    static const int differing[2][2] = {{MODEL_LEFT_NOMINAL_RADIUS, MODEL_NOMINAL_RADIUS},
-                                        {MODEL_LEFT_RAIL_INCLINATION, MODEL_RAIL_INCLINATION}};
+    static const int differing[2][3] = {{MODEL_LEFT_NOMINAL_RADIUS, MODEL_NOMINAL_RADIUS, layout__SETUP_LEFT_RADIUS},
+                                        {MODEL_LEFT_RAIL_INCLINATION, MODEL_RAIL_INCLINATION, layout__SETUP_LEFT_INCLINATION}};
     char value[2 * MODEL_TEXT];
-    memcpy(left, right, MODEL_SETUP * sizeof *left);
     for (int i = 0; i < 2; i += 1)
     {
         const model_variable *own = model_variables + differing[i][0], *other = model_variables + differing[i][1];
         const double number = self->core.values[differing[i][0]];
-        if (number == 0.0)
-            continue;
-        if (number < other->low)
+        setup[differing[i][2]] = number == 0.0 ? setup[other->setup] : number;
+        if (number != 0.0 && number < other->low)
             return wheelset_refuse(self, "%s is %s; permitted is %s ... %s%s", own->name,
                                    sentence_shortest(number, value, sizeof value), SIX_DIGITS(other->low), SIX_DIGITS(other->high),
                                    own->unit);
-        left[other->setup] = number;
     }
-    const int radius = model_variables[MODEL_NOMINAL_RADIUS].setup;
-    left[layout__SETUP_HEIGHT] = right[layout__SETUP_HEIGHT] = 0.5 * (right[radius] + left[radius]);
     return 0;
 }
 
@@ -157,41 +147,40 @@ static int find_profile(wheelset *self, const char *argument, const char *kind, 
                            other, list);
 }
 
-/* Why the kernel could not prepare the tables of a side. */
-static int refuse_preparation(wheelset *self, const side_choice *side, int outcome, const double *report)
+/* Why the kernel could not prepare the tables; `slots` are where the names of a side's wheel and rail are. */
+static int refuse_preparation(wheelset *self, const int *slots, int outcome, const double *setup)
 {
-    const char *wheel = self->core.text[side->wheel_slot], *rail = self->core.text[side->rail_slot];
+    const char *wheel = self->core.text[slots[0]], *rail = self->core.text[slots[1]];
     if (outcome == prepare_tables__GAUGE_TOO_DEEP)
         return wheelset_refuse(self, "gauge_depth reaches %s m, but the inner side of the rail profile %s ends at %s m; "
-                               "permitted are smaller depths", SIX_DIGITS(report[prepare_tables__REPORT_DEPTH]), rail,
-                               SIX_DIGITS(report[prepare_tables__REPORT_DEEPEST]));
-    if (outcome == prepare_tables__WHEEL_TOO_WIDE)
+                               "permitted are smaller depths", SIX_DIGITS(setup[layout__SETUP_DEPTH]), rail,
+                               SIX_DIGITS(setup[layout__SETUP_REACHED]));
+    if (outcome == prepare_scan__TOO_WIDE)
         return wheelset_refuse(self, "the wheel profile is %s m wide; permitted are at most %s m",
-                               FOUR_DIGITS(report[prepare_tables__REPORT_WIDTH]), FOUR_DIGITS(MODEL_WIDEST));
+                               FOUR_DIGITS(setup[layout__SETUP_WIDTH]), FOUR_DIGITS(MODEL_WIDEST));
     if (outcome == prepare_tables__WITHOUT_HEAD)
         return wheelset_refuse(self, "the profiles %s and %s are too steep at y = 0 m, the running circle and the rail's highest "
                                "point; permitted are profiles with less slope there", wheel, rail);
-    if (outcome == prepare_tables__TABLES_FULL)
+    if (outcome == prepare_pieces__FULL)
         return wheelset_refuse(self, "the profiles %s and %s have too many points for the kernel's tables; permitted are profiles "
                                "with fewer points", wheel, rail);
     return wheelset_refuse(self, "there is no memory for the kernel's tables");
 }
 
-/* One attempt with room for `room` numbers; the outcome, -1 for no memory. */
+/* One attempt with room for `room` numbers; the outcome. */
 static int prepare_in(wrcontact_preparation *preparation, int64_t room)
 {
+    int outcome = NO_MEMORY;
     preparation->tables = span_of(calloc((size_t)room, sizeof(double)), room);
     const int64_t needed = wrcontact_prepare_room(preparation);
     preparation->work = span_of(calloc((size_t)needed, sizeof(double)), needed);
-    int outcome = -1;
     if (preparation->tables.data && preparation->work.data)
         outcome = wrcontact_prepare(preparation);
     free(preparation->work.data);
-    if (outcome == prepare_tables__PREPARED)
+    if (outcome >= 0)
     {
-        const int64_t size = (int64_t)preparation->report.data[prepare_tables__REPORT_SIZE];
-        double *fitting = realloc(preparation->tables.data, (size_t)size * sizeof(double));
-        preparation->tables = span_of(fitting ? fitting : preparation->tables.data, size);
+        double *fitting = realloc(preparation->tables.data, (size_t)outcome * sizeof(double));
+        preparation->tables = span_of(fitting ? fitting : preparation->tables.data, outcome);
     }
     else
         free(preparation->tables.data);
@@ -201,7 +190,7 @@ static int prepare_in(wrcontact_preparation *preparation, int64_t room)
 /* Whether the tables are those of the present parameters. */
 bool wheelset_is_built(const wheelset *self)
 {
-    if (!self->right_tables.data || memcmp(self->built_text, self->core.text, sizeof self->built_text) != 0)
+    if (!self->tables.data || memcmp(self->built_text, self->core.text, sizeof self->built_text) != 0)
         return false;
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
         if (model_variables[i].causality == MODEL_PARAMETER && self->built_values[i] != self->core.values[i])
@@ -209,84 +198,45 @@ bool wheelset_is_built(const wheelset *self)
     return true;
 }
 
-/* The tables of a side, without starts and methods, in preparation->tables. */
-static int prepare_side(wheelset *self, const side_choice *side, wrcontact_preparation *preparation)
+/* The definitions of all profiles; a left profile without a name is that of the right side.  `slots` are where the names are. */
+static int find_profiles(wheelset *self, wrcontact_preparation *preparation, int slots[4])
 {
-    int outcome = prepare_tables__TABLES_FULL;
-    for (int64_t room = TABLE_ROOM; outcome == prepare_tables__TABLES_FULL && room <= MOST_ROOM; room *= 4)
-        outcome = prepare_in(preparation, room);
-    return outcome == prepare_tables__PREPARED ? 0 : refuse_preparation(self, side, outcome, preparation->report.data);
-}
-
-/* What a preparation starts from: the setup of a side and its profiles. */
-static int begin_side(wheelset *self, const side_choice *side, double *setup, double *report, wrcontact_preparation *preparation)
-{
-    if (find_profile(self, side->wheel, "wheel", side->wheel_slot, &preparation->wheel)
-        || find_profile(self, side->rail, "rail", side->rail_slot, &preparation->rail))
-        return 1;
-    preparation->setup = span_of(setup, MODEL_SETUP);
-    preparation->report = span_of(report, MODEL_REPORT);
-    preparation->fixed = span_of((double *)model_fixed, MODEL_FIXED_SIZE);
-    return 0;
-}
-
-static bool same_numbers(array_double_1d one, array_double_1d other)
-{
-    return one.shape[0] == other.shape[0] && memcmp(one.data, other.data, (size_t)one.shape[0] * sizeof(double)) == 0;
-}
-
-/* Starts and methods into the tables of both sides, which then are the wheelset's. */
-static int complete(wheelset *self, const wrcontact_preparation *left, const wrcontact_preparation *right)
-{
-    const int64_t needed = wrcontact_prepare_room(right);
-    double *work = calloc((size_t)needed, sizeof(double));
-    if (!work)
+    const int own[4] = {MODEL_WHEEL_SLOT, MODEL_RAIL_SLOT, MODEL_LEFT_WHEEL_SLOT, MODEL_LEFT_RAIL_SLOT};
+    static const char *const names[4] = {"wheel", "rail", "left_wheel", "left_rail"};
+    array_double_1d *const definitions[4] = {&preparation->wheel, &preparation->rail, &preparation->left_wheel, &preparation->left_rail};
+    for (int i = 0; i < 4; i += 1)
     {
-        if (left->tables.data != right->tables.data)
-            free(left->tables.data);
-        free(right->tables.data);
-        return wheelset_refuse(self, "there is no memory for the kernel's tables");
+        const int named = i >= 2 && !*self->core.text[own[i]] ? i - 2 : i;
+        slots[i] = own[named];
+        if (find_profile(self, names[named], names[i % 2], slots[i], definitions[i]))
+            return 1;
     }
-    wrcontact_complete(right->setup, left->tables, right->tables, work);
-    free(work);
-    wheelset_free_tables(self);
-    self->left_tables = left->tables;
-    self->right_tables = right->tables;
     return 0;
 }
 
 void wheelset_free_tables(wheelset *self)
 {
-    if (self->left_tables.data != self->right_tables.data)
-        free(self->left_tables.data);
-    free(self->right_tables.data);
-    self->left_tables = self->right_tables = span_of(NULL, 0);
+    free(self->tables.data);
+    self->tables = span_of(NULL, 0);
 }
 
 /* New tables for the present parameters. */
 static int prepare(wheelset *self)
 {
-    double right_setup[MODEL_SETUP], left_setup[MODEL_SETUP], report[MODEL_REPORT] = {0.0};
-    wrcontact_preparation left = {0}, right = {0};
-    const side_choice right_side = {"wheel", "rail", MODEL_WHEEL_SLOT, MODEL_RAIL_SLOT};
-    const side_choice left_side = {
-        *self->core.text[MODEL_LEFT_WHEEL_SLOT] ? "left_wheel" : "wheel", *self->core.text[MODEL_LEFT_RAIL_SLOT] ? "left_rail" : "rail",
-        *self->core.text[MODEL_LEFT_WHEEL_SLOT] ? MODEL_LEFT_WHEEL_SLOT : MODEL_WHEEL_SLOT,
-        *self->core.text[MODEL_LEFT_RAIL_SLOT] ? MODEL_LEFT_RAIL_SLOT : MODEL_RAIL_SLOT};
-    if (fill_setup(self, right_setup) || fill_resolution(self, right_setup) || fill_left_setup(self, left_setup, right_setup)
-        || begin_side(self, &right_side, right_setup, report, &right) || begin_side(self, &left_side, left_setup, report, &left)
-        || prepare_side(self, &right_side, &right))
+    double setup[MODEL_SETUP];
+    int slots[4];
+    wrcontact_preparation preparation = {0};
+    preparation.setup = span_of(setup, MODEL_SETUP);
+    preparation.fixed = span_of((double *)model_fixed, MODEL_FIXED_SIZE);
+    if (fill_setup(self, setup) || fill_resolution(self, setup) || fill_left(self, setup) || find_profiles(self, &preparation, slots))
         return 1;
-    if (memcmp(left_setup, right_setup, sizeof left_setup) == 0 && same_numbers(left.wheel, right.wheel)
-        && same_numbers(left.rail, right.rail))
-        left.tables = right.tables;
-    else if (prepare_side(self, &left_side, &left))
-    {
-        free(right.tables.data);
-        return 1;
-    }
-    if (complete(self, &left, &right))
-        return 1;
+    int outcome = prepare_pieces__FULL;
+    for (int64_t room = TABLE_ROOM; outcome == prepare_pieces__FULL && room <= MOST_ROOM; room *= 4)
+        outcome = prepare_in(&preparation, room);
+    if (outcome < 0)
+        return refuse_preparation(self, setup[layout__SETUP_SIDE] == 1.0 ? slots : slots + 2, outcome, setup);
+    wheelset_free_tables(self);
+    self->tables = preparation.tables;
     memcpy(self->built_values, self->core.values, sizeof self->built_values);
     memcpy(self->built_text, self->core.text, sizeof self->built_text);
     return 0;
@@ -297,11 +247,7 @@ int wheelset_build(wheelset *self)
 {
     if (!wheelset_is_built(self) && prepare(self))
         return 1;
-    double *const sides[2] = {self->left_tables.data, self->right_tables.data};
-    for (int side = 0; side < 2; side += 1)
-    {
-        sides[side][layout__SET_STATIONS] = (double)self->core.stations;
-        sides[side][layout__SET_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
-    }
+    self->tables.data[layout__TABLES_STATIONS] = (double)self->core.stations;
+    self->tables.data[layout__TABLES_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
     return 0;
 }

@@ -14,14 +14,12 @@ from benchmarks import (
     __main__,
     creep,
     errors,
-    machine,
     pages,
     parts,
-    pictures,
     random_poses,
+    record,
     rows,
-    searches,
-    store,
+    studies,
     tables,
     times,
 )
@@ -61,13 +59,13 @@ def test_kept_rows_are_those_that_are_measured():
     """Times of all rows and of the three FMUs; errors of all rows."""
     names = [row.name for row in rows.all_rows(rows.FULL)]
     hosted = [rows.FMU_ROW, rows.NATIVE_ROW.format(2), rows.NATIVE_ROW.format(3)]
-    assert list(store.load("model_times")["rows"]) == [*names, *hosted]
-    assert {*store.load("model_errors")["rows"], *store.load("halfspace")["rows"]} == set(names)
+    assert list(record.load("model_times")["rows"]) == [*names, *hosted]
+    assert {*record.load("model_errors")["rows"], *record.load("halfspace")["rows"]} == set(names)
 
 
 def test_the_table_of_models_has_every_row():
     """Quoted rows stand at its end."""
-    kept = {name: store.load(name) for name in pages.MODEL_PARTS}
+    kept = {name: record.load(name) for name in pages.MODEL_PARTS}
     table = tables.models(kept).splitlines()
     assert len(table) == 2 + len(kept["model_times"]["rows"]) + len(PEERS)
     assert {line.count("|") for line in table} == {len(tables.MODELS) + 1}
@@ -79,13 +77,13 @@ def test_the_readme_has_seven_rows_of_the_long_tables():
     """Time, and mean and worst error on the positions, are those of benchmarks.md."""
     table = pages.TABLES["short"]
     assert 0.01 in rows.QUICK.halfspace     # the row of the half-space, also in a quick run
-    kept = {name: store.load(name) for name in table.parts}
+    kept = {name: record.load(name) for name in table.parts}
     lines, long = table.text(kept).splitlines()[2:], tables.models(kept)
     assert len(lines) == 7 and "quoted" in lines[-1]
     for row in (*lines[:4], lines[5]):
         _, _, time, units, mean, worst, _ = map(str.strip, row.split("|"))
         assert f"| {units} | {time.split(' (')[0]} | {mean} | {worst} |" in long
-    mean, _, worst = store.load("tangential_errors")["rows"]["strips"][creep.NEW_PATCHES]["force"]
+    mean, _, worst = record.load("tangential_errors")["rows"]["strips"][creep.NEW_PATCHES]["force"]
     assert f"creep force: {mean:.2f} | {worst:.1f} |" in lines[4]
 
 
@@ -95,18 +93,18 @@ def test_costs_are_measured(measured):
 
 def test_a_cost_is_the_smallest_of_its_rounds():
     """Of call and unit alike, each by itself: a disturbed unit does not make a call cheap."""
-    slow, quick = machine.Cost(3e-6, 1e-6), machine.Cost(2e-6, 1.5e-6)
-    assert slow.least(quick) == quick.least(slow) == machine.Cost(2e-6, 1e-6)
+    slow, quick = record.Cost(3e-6, 1e-6), record.Cost(2e-6, 1.5e-6)
+    assert slow.least(quick) == quick.least(slow) == record.Cost(2e-6, 1e-6)
     assert slow.least(None) == slow and slow.units == pytest.approx(3.0)
     assert slow.microseconds == pytest.approx(3.0)
 
 
 def test_the_noise_of_a_run_is_told():
-    machine.restart()
-    one = [machine.unit() for _ in range(3)]
-    count, least, median, high = machine.spread()
+    record.restart()
+    one = [record.unit() for _ in range(3)]
+    count, least, median, high = record.spread()
     assert count == 3 and least == min(one) and least <= median <= high <= max(one)
-    assert "95th percentile of 3 measurements" in machine.noise()
+    assert "95th percentile of 3 measurements" in record.noise()
 
 
 def test_grids():
@@ -126,29 +124,29 @@ def test_parts_by_kind_and_by_name():
 
 
 def test_what_is_kept_comes_back(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "FOLDER", tmp_path)
+    monkeypatch.setattr(record, "FOLDER", tmp_path)
     rows = {"a": {"x": np.array([1.23456, 1e-9]), "n": 3, "words": "½ | x"}, "b": {}}
-    store.save("a part", rows, {"machine": "this one"})
-    kept = store.load("a part")
+    record.save("a part", rows, {"machine": "this one"})
+    kept = record.load("a part")
     assert kept["rows"] == {"a": {"x": [1.235, 1e-9], "n": 3, "words": "½ | x"}, "b": {}}
-    assert kept["machine"] == "this one" and kept["commit"] == store.commit()
+    assert kept["machine"] == "this one" and kept["commit"] == record.commit()
 
 
 def test_a_commit_is_named_with_changes(monkeypatch):
     answers = {"rev-parse": "abc1234\n", "status": " M wrcontact/state.py\n"}
-    monkeypatch.setattr(store, "git", lambda word, *others: answers[word])
-    assert store.commit() == "abc1234 and changes"
+    monkeypatch.setattr(record, "git", lambda word, *others: answers[word])
+    assert record.commit() == "abc1234 and changes"
     assert pages.code("abc1234 and changes") == "`abc1234` and changes"
     answers["status"] = ""
-    assert store.commit() == "abc1234"
+    assert record.commit() == "abc1234"
 
 
 def test_no_git_is_no_error(monkeypatch):
     def missing(*words):
         raise OSError
 
-    monkeypatch.setattr(store, "git", missing)
-    assert store.commit() == "unknown"
+    monkeypatch.setattr(record, "git", missing)
+    assert record.commit() == "unknown"
 
 
 def test_only_what_stands_between_the_marks_is_written(monkeypatch):
@@ -184,7 +182,7 @@ def test_each_model_is_nearer_to_the_complete_theory(measured):
     as a rigid wheel does not sink straight down like the reference's."""
     best = [min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
             for kind in ("Hertz", "analyn", "analyn_strip")]
-    best.append(min(np.mean(found["positions mean"]) for found in store.load("halfspace")["rows"].values()))
+    best.append(min(np.mean(found["positions mean"]) for found in record.load("halfspace")["rows"].values()))
     assert all(before > 1.15 * after for before, after in pairwise(best))
     assert best[-1] < 0.12                                                                # [%] measured 0.094
 
@@ -194,7 +192,7 @@ def test_the_half_space_is_what_is_kept_of_it():
     """The quickest of its rows, measured anew; the same to all kept digits on processors whose numpy rounds
     otherwise."""
     found = errors.positions(rows.system(normal_model="halfspace", tolerance=0.1))
-    kept = store.load("halfspace")["rows"]["halfspace, tolerance 0.1"]
+    kept = record.load("halfspace")["rows"]["halfspace, tolerance 0.1"]
     np.testing.assert_allclose(100 * found.mean, kept["positions mean"], rtol=1e-3)
     np.testing.assert_allclose(100 * found.worst, kept["positions worst"], rtol=1e-3)
     assert 100 * found.mean.mean() < 0.29                                                 # [%] measured 0.226
@@ -259,7 +257,7 @@ def test_the_cost_of_native_fmus_is_measured(tmp_path):
 def test_comparison_tells_errors_and_failures():
     system = wrcontact.ContactSystem()
     poses = [(shift, math.radians(2)) for shift in (1e-3, 6e-3)]
-    row = searches.summary("3-D", True, list(searches.trials(system, Search3D(system, dx=1e-3), poses)))
+    row = studies.summary("3-D", True, list(studies.trials(system, Search3D(system, dx=1e-3), poses)))
     assert row.poses == 2 and [trial.shift for trial in row.failed] == [6e-3]
     assert row.roll_worst < 1e-6 and row.y_worst < 2e-4 and row.steps > 0 and row.units > 0
 
@@ -364,7 +362,7 @@ def at(shift):
 
 
 def test_the_picture_shows_every_point(tmp_path):
-    drawn = pictures.figure(pictures.stored_points())
+    drawn = pages.figure(pages.stored_points())
     axes = drawn.axes[0]
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     points = np.concatenate([line.get_xydata() for line in axes.lines])

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks import creep, pages, pictures, rows, store, tables
+from benchmarks import creep, pages, record, rows, tables
 from data.creep_cases import cases, read
 from wrcontact.halfspace.rolling import Outline, roll_outline
 from wrcontact.kernel import layout
@@ -15,7 +15,7 @@ LITTLE = replace(rows.QUICK, count=20, rounds=1, passes=1)
 
 
 def kept():
-    return store.load("tangential_errors")["rows"]
+    return record.load("tangential_errors")["rows"]
 
 
 # --- the cases that are held out ----------------------------------------------------------------------------
@@ -140,7 +140,7 @@ def test_the_wheelset_moves_as_it_stands():
 def test_times_are_measured_and_kept():
     """Every model alone and in every element, of few steps, and the same rows are kept."""
     found = creep.tangential_times(LITTLE)
-    stored = store.load("tangential_times")["rows"]
+    stored = record.load("tangential_times")["rows"]
     assert list(found) == list(stored) == [*creep.TIMED, *creep.ELEMENTS,
                                            creep.FMU, "by itself", "whole"]
     for element in (*creep.ELEMENTS, creep.FMU):
@@ -150,7 +150,7 @@ def test_times_are_measured_and_kept():
 
 
 def test_tables_have_every_row():
-    parts = {name: store.load(name) for name in ("tangential_errors", "tangential_times")}
+    parts = {name: record.load(name) for name in ("tangential_errors", "tangential_times")}
     count = len(creep.MODELS)
     for text, lines in ((tables.creep_force_table, count + 1 + len(creep.QUOTED)),
                         (tables.creep_moment_table, count),
@@ -162,10 +162,10 @@ def test_tables_have_every_row():
 
 
 def test_the_picture_shows_every_point(tmp_path):
-    drawn = pictures.creep_figure(*pictures.stored_creep())
-    for axes, (_, theirs, _) in zip(drawn.axes, pictures.PANELS):
+    drawn = pages.creep_figure(*pages.stored_creep())
+    for axes, (_, theirs, _) in zip(drawn.axes, pages.PANELS):
         (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-        points = pictures.marks(axes)
+        points = pages.marks(axes)
         quoted = sum(theirs in kept()[name] for name in creep.QUOTED)
         assert len(points) == len(creep.MODELS) + quoted
         assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from benchmarks import profiles, store
+from benchmarks import record, studies
 from data import en15302
 from data.en15302 import WHEELS
 from tests.helpers.cases import MM
@@ -69,5 +69,5 @@ def test_a_shift_that_is_wrong_is_seen():
 
 def test_the_table_is_that_of_today():
     """docs/check.md; if this fails: ``python -m benchmarks --write en15302``."""
-    found, kept = store.short(profiles.en15302_rows()), store.load("en15302")["rows"]
+    found, kept = record.short(studies.en15302_rows()), record.load("en15302")["rows"]
     assert differences(found, kept, absolute=2e-5) == []

@@ -258,6 +258,8 @@ WRONG = {
     "force": ("solve --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
     "force_of_a_sweep": ("sweep --normal-force-kn -1", ["--normal-force-kn is -1 kN"]),
     "transfer": ("solve --load-transfer 1.5", ["--load-transfer is 1.5"]),
+    "friction": ("solve --right-friction 3 --tangential-model polach --speed 20",
+                 ["--right-friction is 3", "<= 2"]),
     "speed": ("solve --speed 1000", ["--speed is 1000; permitted is |--speed| <= 200"]),
     "step": ("sweep --step-mm 0", ["--step-mm", "0"]),
     "backwards": ("sweep --from-mm 3 --to-mm -3", ["--from-mm 3", "--to-mm -3"]),
@@ -383,11 +385,6 @@ def test_without_creep_forces_none_are_printed(run):
     assert "no creep forces: neither --speed nor --wheel-rate is given" in still and "creep" in plain
     code, out, err = run("solve", "--left-friction", 0.2)
     assert (code, out) == (2, "") and "--left-friction is given" in err and "polach" in err
-
-
-def test_friction_that_is_not_permitted_is_refused_in_the_option_s_name(run):
-    code, _, err = run("solve", "--right-friction", 3, "--tangential-model", "polach", "--speed", 20)
-    assert code == 2 and "--right-friction is 3" in err and "<= 2" in err
 
 
 def test_a_sweep_with_creep_forces(run):

@@ -1,7 +1,6 @@
 """The check of a pair: conicity, jumps, moves, conformal zones, quality, against closed forms and
 independent searches."""
 
-import csv
 import dataclasses
 import json
 import math
@@ -9,11 +8,11 @@ import math
 import numpy as np
 import pytest
 
+import data
 import wrcontact
 from data import brute_force
 from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
-from tests.helpers.paths import DATA
 from wrcontact import ContactSystem, Profile
 from wrcontact.conditioning.conicity import OFF_PROFILE
 from wrcontact.plots import check_figure
@@ -60,9 +59,8 @@ def test_two_places_touch_at_a_jump(uic60):
 def test_moves_add_up_to_the_reference_positions(uic60):
     """Between 1 and 3 mm the contacts do not jump: the integrals of the rates are the
     published differences."""
-    with open(DATA / "rigid_positions.csv", newline="", encoding="utf-8") as file:
-        rows = {float(row["lateral_shift_mm"]): row for row in csv.DictReader(file)
-                if float(row["yaw_deg"]) == 0.0}
+    rows = {row["lateral_shift_mm"]: row for row in data.rows_of(data.FOLDER / "rigid_positions.csv")
+            if row["yaw_deg"] == 0.0}
     curves = uic60.curves
     between = (curves.lateral_shift > 0.999 * MM) & (curves.lateral_shift < 3.001 * MM)
     rates = {"roll_rad": (curves.roll_rate, 1.0), "R_y_wheel_mm": (curves.right.wheel_rate, MM),
@@ -71,7 +69,7 @@ def test_moves_add_up_to_the_reference_positions(uic60):
         mean = 0.5 * (rate[between][1:] + rate[between][:-1])
         total = np.sum(mean * np.diff(curves.lateral_shift[between]))
         # the trapezoidal rule at 0.05 mm leaves 1e-5 of it
-        assert total == pytest.approx((float(rows[3][name]) - float(rows[1][name])) * unit, rel=1e-4), name
+        assert total == pytest.approx((rows[3][name] - rows[1][name]) * unit, rel=1e-4), name
 
 
 def test_left_is_the_mirror_of_right(uic60):

@@ -66,11 +66,11 @@ def test_arc_length_is_that_of_the_exact_profile(place):
     """The kernel's arc against the zones as the standard prints them, away from the
     joints that are evened out."""
     contact = Contact(PLACES[place])
-    tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work)
+    pair, work = layout.Tables.at(contact.tables).pairs[1], layout.Work.at(contact.work)
     wheel = contact.system.wheel
     for length in (0.4e-3, -0.8e-3):
         traces.start_traces(work.contact.frame, 0.0, contact.u_rail, contact.u_wheel)
-        assert curves.move_arc(tables, work.contact.frame, work.contact.origin, WHEEL, length) == 1
+        assert curves.move_arc(pair, work.contact.frame, work.contact.origin, WHEEL, length) == 1
         found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel,
                      work.contact.frame.traces[WHEEL].abscissa, epsabs=1e-15)[0]
         assert found == pytest.approx(length, abs=1e-12)
@@ -83,10 +83,10 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
     errors = []
     for count in (4, 8, 16):
         spacing = 4e-3 / count
-        tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work.copy())
+        pair, work = layout.Tables.at(contact.tables).pairs[1], layout.Work.at(contact.work.copy())
         work.contact.frame.traces[RAIL].abscissa = u
         for _ in range(count):
-            assert curves.move_chord(tables, work.contact.frame, work.contact.origin, RAIL, spacing) == 1
+            assert curves.move_chord(pair, work.contact.frame, work.contact.origin, RAIL, spacing) == 1
         arc = contact.rail.arc(u, work.contact.frame.traces[RAIL].abscissa)
         assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)

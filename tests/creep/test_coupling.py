@@ -1,4 +1,4 @@
-"""Creep forces of the wheelset: what they add to forces and moments, powers, and the wheelset's symmetries.
+"""Creep forces of the wheelset: what they add to forces and moments, and powers.
 
 Witness: vectors in numpy from the outputs of each patch, for whatever model has found them.
 """
@@ -9,7 +9,6 @@ import pytest
 import wrcontact
 from tests.helpers.cases import CREEP_MODELS, system
 from tests.helpers.inside import work_of
-from tests.helpers.mirror import side_signs
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
 from wrcontact.kernel.creep.creep_force import solve_creep_force
@@ -99,89 +98,6 @@ def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
         np.testing.assert_allclose(np.subtract(state.force, state.normal.force), total[:3], atol=1e-6)
         np.testing.assert_allclose(np.subtract(state.moment, state.normal.moment), total[3:], atol=1e-6)
         assert state.driving_torque == pytest.approx(torque, abs=1e-6)
-
-
-@pytest.mark.parametrize("model", CREEP_MODELS)
-@pytest.mark.parametrize("pose", POSES)
-def test_numbers_of_a_patch(pose, model):
-    """Force at most mu N, saturation, power against the velocities, and the wear number."""
-    state = system(tangential_model=model).evaluate(**POSES[pose], left_friction=0.2, right_friction=0.4)
-    for side, friction in ((state.left, 0.2), (state.right, 0.4)):
-        wear = 0.0
-        for patch in side.patches:
-            force = np.hypot(patch.tangential.x, patch.tangential.y)
-            limit = friction * patch.normal_force
-            assert force <= limit * (1 + 1e-12)
-            assert patch.saturation == pytest.approx(force / limit, rel=1e-12)
-            assert 0.0 <= patch.stick_share <= 1.0
-            assert patch.max_shear <= friction * patch.max_pressure * (1 + 0.05)
-            assert patch.friction_power >= 0.0
-            wear += (abs(patch.tangential.x * patch.creepage.x)
-                     + abs(patch.tangential.y * patch.creepage.y))
-        assert side.wear_number == pytest.approx(wear, rel=1e-12)
-
-
-@pytest.mark.parametrize("pose", ["moving", "flange", "curve", "braking"])
-def test_power_is_that_of_the_wheelset(pose):
-    """What friction takes is the work of the creep forces on the wheel's body: force times velocity of the
-    centre, moment times rotation, and torque times wheel rate."""
-    inputs = compliant(POSES[pose]) | {"vertical_velocity": 0.013, "roll_rate": -0.02}
-    state, work = stepped(system(contact_mode="compliant", tangential_model=CREEP_MODELS[0]), inputs)
-    sides, _ = cross_sum(state, work)
-    creep = sides["left"][0] + sides["right"][0]
-    curvature = inputs.get("track_curvature", 0.0)
-    rate = inputs.get("wheel_rate") or inputs["speed"] / 0.46
-    centre = np.array([inputs["speed"] * (1 - curvature * inputs["lateral_shift"]),
-                       inputs["lateral_velocity"], inputs["vertical_velocity"]])
-    yaw = inputs["yaw"]
-    turning = np.array([inputs["roll_rate"] * np.cos(yaw), inputs["roll_rate"] * np.sin(yaw),
-                        inputs["yaw_rate"] + inputs["speed"] * curvature])
-    # the wheel's circumference has the radius of its profile, not the distance from the axle
-    power = creep[:3] @ centre + creep[3:] @ turning + state.driving_torque * rate
-    total = state.left.friction_power + state.right.friction_power
-    assert total == pytest.approx(-power, rel=1e-9)
-
-
-@pytest.mark.parametrize("mode", ["rigid", "elastic"])
-@pytest.mark.parametrize("model", CREEP_MODELS)
-def test_mirror(model, mode):
-    """A wheelset in the mirror has the mirrored outputs."""
-    contact = system(contact_mode=mode, tangential_model=model)
-    inputs = POSES["moving"] | {"track_curvature": 1 / 500}
-    mirrored = {name: -value if name in ("lateral_shift", "yaw", "lateral_velocity", "yaw_rate",
-                                         "track_curvature") else value for name, value in inputs.items()}
-    one = contact.evaluate(**inputs, left_friction=0.25, right_friction=0.35)
-    other = contact.evaluate(**mirrored, left_friction=0.35, right_friction=0.25)
-    signs = side_signs()
-    left, right = one.values[layout.OUT_LEFT:][:layout.SIDE_SIZE], other.values[layout.OUT_RIGHT:]
-    np.testing.assert_allclose(left, signs * right[:layout.SIDE_SIZE], rtol=1e-9, atol=1e-9)
-    assert one.driving_torque == pytest.approx(other.driving_torque, rel=1e-9)
-
-
-@pytest.mark.parametrize("model", CREEP_MODELS)
-def test_standstill_and_no_friction(model):
-    """A wheelset that stands, or has no friction, has the forces of the pressures alone."""
-    contact = system(tangential_model=model)
-    plain = system().evaluate(**POSE)
-    for inputs in ({name: value for name, value in POSE.items() if name != "speed"},
-                   POSE | {"left_friction": 0.0, "right_friction": 0.0}):
-        state = contact.evaluate(**inputs)
-        np.testing.assert_array_equal(state.force, plain.force)
-        np.testing.assert_array_equal(state.moment, plain.moment)
-        for side in (state.left, state.right):
-            patch = side.patches[0]
-            found = patch.tangential.x, patch.tangential.y, patch.saturation, side.wear_number
-            assert found == (0.0, 0.0, 0.0, 0.0)
-        assert state.driving_torque == 0.0
-
-
-@pytest.mark.parametrize("model", CREEP_MODELS)
-def test_sliding_wheels_have_the_whole_friction(model):
-    """Locked wheels at a high speed: mu N against the motion."""
-    state = system(tangential_model=model).evaluate(speed=20.0, free_rolling=False)
-    for side in (state.left, state.right):
-        patch = side.patches[0]
-        assert patch.tangential.x == pytest.approx(-0.3 * patch.normal_force, rel=1e-3)
 
 
 def test_lifted_wheel_and_one_side():

@@ -6,7 +6,7 @@ import pytest
 from numpy.polynomial import chebyshev, polynomial
 
 import wrcontact
-from tests.helpers.cases import STRIP_MODELS
+from tests.helpers.cases import CREEP_MODELS
 from tests.helpers.inside import work_of
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.profiles import Profile
@@ -22,7 +22,7 @@ def greatest_power(side, friction, given):
 
 
 @pytest.mark.parametrize("normal", NORMAL)
-@pytest.mark.parametrize("model", STRIP_MODELS)
+@pytest.mark.parametrize("model", CREEP_MODELS)
 def test_power_is_that_of_force_and_moment(normal, model):
     """P = -(F . v + M . W) with the creep forces in the outputs, the velocity v of the centre and the
     rotation W of the wheelset with that about the axle.  A yaw rate turns a rolled wheelset about its axle as

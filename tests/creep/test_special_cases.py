@@ -55,7 +55,7 @@ def test_a_locked_wheel_slides(name, slip):
     bound = 0.3 * PATCH.normal_force
     found = Model(name).solve(PATCH, *slip, 0.3)
     wanted = -bound * np.array(slip[:2]) / np.hypot(*slip[:2])
-    # FASTSIM with three flexibilities, and FaStrip with it, is some degrees off
+    # FASTSIM with three flexibilities, and what is built on it, is some degrees off
     off = 0.02 if name in TangentialModel.family.with_keyword("published_spin") else 0.01
     np.testing.assert_allclose(vector(found)[:2], wanted, atol=off * bound)
     assert found.stick_share < 1e-6

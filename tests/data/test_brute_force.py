@@ -1,11 +1,11 @@
 """The rigid witness against stored positions of another brute-force search, and against itself."""
 
-import csv
 from math import atan, radians
 
 import numpy as np
 import pytest
 
+import data
 from data.brute_force import (
     RAIL_HEADS,
     Pose,
@@ -16,17 +16,10 @@ from data.brute_force import (
     track,
     vertical_gap,
 )
-from tests.helpers.paths import DATA
 
-TABLE = DATA / "rigid_positions.csv"
 ROLL = 1e-12  # [rad]
 POSITION = 1e-5  # [mm] the stored search located its minima to this
 ANGLE = 1e-6  # [rad]
-
-
-def stored_positions():
-    with open(TABLE, newline="") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +32,7 @@ def every_third_is_quick(rows):
     return [pytest.param(row, marks=[pytest.mark.full] if k % 3 else []) for k, row in enumerate(rows)]
 
 
-@pytest.mark.parametrize("row", every_third_is_quick(stored_positions()),
+@pytest.mark.parametrize("row", every_third_is_quick(data.rows_of(data.FOLDER / "rigid_positions.csv")),
                          ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
 def test_agrees_with_stored_positions(system, row):
     found = rigid_contact(system, row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]))

@@ -1,18 +1,16 @@
 """The independent program for contact that turns, against CONTACT, Hertz and the program with one plane."""
 
-import csv
 from math import radians
 
 import numpy as np
 import pytest
 
+import data
 from data.brute_force import Pose, rigid_contact, track
 from data.conformal_reference import lowered_contact, solve, sunk_contact
 from data.halfspace_reference import CONTACT_MODULUS, normal_contact
-from tests.helpers.paths import DATA
 
-with open(DATA / "conformal.csv", newline="", encoding="utf-8") as file:
-    ROWS = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+ROWS = data.rows_of(data.CONFORMAL)
 
 
 @pytest.mark.parametrize("index", [pytest.param(k, marks=[pytest.mark.full] * (k != 9))

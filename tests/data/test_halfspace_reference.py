@@ -1,43 +1,21 @@
 """The elastic witness against Hertz, against CONTACT on the same gap, and against CONTACT
 with its own geometry."""
 
-import csv
-import json
 from math import pi, radians
 
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq
-from scipy.special import ellipe, ellipk
 
+import data
 from data.brute_force import rigid_contact, track
 from data.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
-from tests.helpers.paths import DATA
-
-HERE = DATA
-PLANAR = json.loads((HERE / "contact_planar.json").read_text())["cases"]
+from data.hertz import hertz
+from tests.helpers.cases import planar_cases
 
 
 def cells(half_width, count):
     return half_width * (2 * np.arange(count) + 1 - count) / count
-
-
-def hertz(A, B, force):
-    """Penetration [m], semi-axes along x and s [m], peak pressure [Pa] on z = A x^2 + B s^2;
-    Johnson (1985) ch. 4."""
-    small, large = sorted((A, B))
-
-    def mismatch(q):
-        K, E = ellipk(1 - q**2), ellipe(1 - q**2)
-        return (K - E) / (E / q**2 - K) - small / large
-
-    q = 1 - 1e-9 if A == B else brentq(mismatch, 1e-4, 1 - 1e-6)
-    K, E = ellipk(1 - q**2), ellipe(1 - q**2)
-    c = (3 * force / (4 * CONTACT_MODULUS * (A + B))) ** (1 / 3)
-    L = (2 * E / (pi * q**2)) ** (1 / 3)
-    a, b = (L * c, q * L * c) if A <= B else (q * L * c, L * c)
-    return 2 * K / (pi * L) * c**2 * (A + B), a, b, 1.5 * force / (pi * a * b)
 
 
 def test_displacement_of_a_square_and_far_away():
@@ -60,7 +38,7 @@ def test_hertz(A, B):
     assert found.pressure.sum() * found.cell == pytest.approx(force, rel=1e-12)
 
 
-@pytest.mark.parametrize("case", PLANAR, ids=lambda case: f"{case['y_ws_mm']}mm")
+@pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_contact_on_the_same_gap(case):
     """CONTACT's complete theory on h = x^2 / 2R + g(s), g by its stored points."""
     s, g, R, theirs = (np.array(case["s_mm"]) * 1e-3, np.array(case["g_mm"]) * 1e-3, case["R_x_mm"] * 1e-3,
@@ -76,8 +54,7 @@ def test_contact_on_the_same_gap(case):
 
 
 def full_cases(*positions):
-    with open(HERE / "contact_full.csv", newline="") as file:
-        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    rows = data.rows_of(data.FOLDER / "contact_full.csv")
     finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in rows}
     return [finest[position] for position in positions]
 

@@ -1,5 +1,6 @@
-"""Directional derivatives of a wheelset that moves and rubs: creepages, damped forces and creep forces,
-against central differences of its steps."""
+"""Directional derivatives of a wheelset that moves and rubs over rails that are displaced and move, also with
+different sides: positions, creepages, damped forces and creep forces, against central differences of its
+steps."""
 
 import numpy as np
 import pytest
@@ -15,7 +16,10 @@ pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
 INPUTS = [v for v in VARIABLES if v.causality == INPUT]
 STEPS = (1e-5, 1e-4, 1e-3)      # [of an input's nominal value]; one of them is to be met
-CREEPAGES = np.array([".creepage." in name for name in NAMES])
+#: Where it stands and touches, what it carries, and how it slips.
+CREEPAGES = np.array([name.endswith(("roll", "vertical_shift", "contact_angle", "rolling_radius", "area",
+                                     "penetration", "max_pressure", "force.y", "force.z", "moment.x"))
+                      or ".contact." in name or ".creepage." in name for name in NAMES])
 DAMPED = np.array([name.endswith(("normal_force", "force.y", "force.z", "moment.x")) for name in NAMES])
 #: Shares of stick jump from point to point of a strip, and runs over the outline follow them.
 SMOOTH = np.array([name.endswith((".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z",
@@ -24,9 +28,12 @@ SMOOTH = np.array([name.endswith((".force.x", ".force.y", ".force.z", ".moment.x
 MOTION = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
           "roll_rate": 0.03, "wheel_rate": 54.0, "track_curvature": 2e-3,
           "left.rail_lateral_velocity": 0.01, "right.rail_vertical_velocity": 0.02,
-          "right.rail_roll_velocity": -0.03}
+          "right.rail_roll_velocity": -0.03, "left.rail_roll": 0.004, "right.rail_roll": -0.006,
+          "left.rail_lateral": -1e-3, "right.rail_vertical": 2e-3}
 RUBBING = {name: value for name, value in MOTION.items() if "rail" not in name} | {
     "wheel_rate": 54.3, "track_curvature": 1e-3, "left.friction": 0.35, "right.friction": 0.25}
+TWO_SIDES = {"wheel": ("S1002", "cone20"), "rail": ("60E1", "54E1"), "nominal_radius": (0.4615, 0.459),
+             "rail_inclination": (0.0, 1 / 40)}
 DAMPING = {"contact_mode": "compliant", "contact_damping": 0.5}
 
 
@@ -36,7 +43,10 @@ def moving_row(parameters, motion, shift, yaw):
     for place, variable in enumerate(INPUTS):
         row[place] = motion.get(variable.name, row[place])
     if parameters.get("contact_mode") == "compliant":
-        stand = wrcontact.ContactSystem(**parameters | {"contact_mode": "elastic"}).evaluate(shift, yaw)
+        rails = {name.replace(".", "_"): value for name, value in motion.items()
+                 if ".rail_" in name and not name.endswith("velocity")}
+        elastic = wrcontact.ContactSystem(**parameters | {"contact_mode": "elastic"})
+        stand = elastic.evaluate(shift, yaw, **rails)
         row[5:7] = stand.vertical_shift, stand.roll
     return row
 
@@ -62,7 +72,9 @@ def assert_met(stepper, row, of, allowed, floor, left_out=()):
 @pytest.mark.parametrize("shift, yaw", [(1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.01)])
 @pytest.mark.parametrize("parameters, of", [
     ({"normal_model": "hertz"}, CREEPAGES), ({}, CREEPAGES), ({"contact_mode": "elastic"}, CREEPAGES),
-    (DAMPING, CREEPAGES | DAMPED)], ids=["hertz", "rigid", "elastic", "compliant"])
+    (DAMPING, CREEPAGES | DAMPED), (TWO_SIDES, CREEPAGES),
+    (TWO_SIDES | {"contact_mode": "elastic", "normal_model": "hertz"}, CREEPAGES)],
+    ids=["hertz", "rigid", "elastic", "compliant", "two sides", "two sides, elastic"])
 def test_derivatives_of_creepages_and_damped_forces(parameters, of, shift, yaw):
     row = moving_row(parameters, MOTION, shift, yaw)
     assert_met(wrcontact.ContactSystem(**parameters).stepper(), row, of, 2e-5, 0.02,

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from benchmarks import pages, parts, rows, store
+from benchmarks import pages, parts, record, rows
 from benchmarks.pages import TABLES
 from tests.helpers.paths import ROOT
 from tests.helpers.same_numbers import SINGLE_POSES, differences
@@ -41,7 +41,7 @@ def test_the_readme_is_short():
 
 def test_every_part_is_in_a_table_and_kept():
     assert {name for table in TABLES.values() for name in table.parts} == set(parts.PARTS)
-    assert {path.stem for path in store.FOLDER.glob("*.json")} == set(parts.PARTS)
+    assert {path.stem for path in record.FOLDER.glob("*.json")} == set(parts.PARTS)
 
 
 def test_tables_say_of_which_commit_they_are():
@@ -68,17 +68,17 @@ def test_tables_say_of_which_commit_they_are():
 @pytest.mark.parametrize("name", QUICK)
 def test_errors_are_those_of_today(name):
     """If this fails, a table is out of date: ``python -m benchmarks --write errors``."""
-    found = store.short(parts.PARTS[name].measure(rows.FULL))
+    found = record.short(parts.PARTS[name].measure(rows.FULL))
     wider = SINGLE_POSES if name == "elastic_trials" else None
-    assert differences(found, store.load(name)["rows"], wider=wider) == []
+    assert differences(found, record.load(name)["rows"], wider=wider) == []
 
 
 @pytest.mark.full
 @pytest.mark.parametrize("name", LONG)
 def test_studies_are_those_of_today(name):
     """If this fails: ``python -m benchmarks --write studies``."""
-    found = store.short(parts.PARTS[name].measure(rows.FULL))
-    assert differences(found, store.load(name)["rows"]) == []
+    found = record.short(parts.PARTS[name].measure(rows.FULL))
+    assert differences(found, record.load(name)["rows"]) == []
 
 
 @pytest.mark.full
@@ -86,7 +86,7 @@ def test_the_half_space_is_that_of_today():
     """Its first row, on the positions."""
     row = next(iter(rows.halfspace(rows.FULL)))
     row.every = 160       # one row of the hunting run
-    found, kept = store.short(row.errors()), store.load("halfspace")["rows"][row.name]
+    found, kept = record.short(row.errors()), record.load("halfspace")["rows"][row.name]
     for run in ("positions mean", "positions worst"):
         assert differences(found[run], kept[run]) == []
 

@@ -14,20 +14,17 @@ from tests.helpers.cases import (
     moving_track,
     poses,
     pressed_poses,
-    profile_file,
 )
 from tests.helpers.fmus import (
     KINDS,
     WARM_START,
     assert_same,
-    evaluated,
     has_compiler,
     run_process,
     run_scenario,
     session,
     stepped,
 )
-from wrcontact import ContactSystem
 from wrcontact.interface.variables import VARIABLES
 from wrcontact.simulation.session import Refused
 
@@ -245,19 +242,6 @@ def test_runs_its_own_code(run_alone, tmp_path):
     assert "wrcontact" not in modules and len(modules) > 20
     assert all(Path(file).is_relative_to(tmp_path / "unpacked" / "resources")
                for file in modules.values()), modules
-
-
-@ONLY_PYTHON
-def test_two_different_fmus_in_one_process(run_alone, kept, tmp_path):
-    wheel = profile_file(tmp_path, "wheel")
-    other, = kept("python", wheel=wheel)
-    seen = run_alone("neighbours", other=str(other), other_folder=str(tmp_path / "second"))
-    assert len([name for name in seen["modules"] if name.startswith("wrcontact_") and "." not in name]) == 2
-    assert seen["one"] != seen["two"]
-    assert seen["wheels"] == [{"wheel_profile": "S1002"}, {"wheel_profile": "own wheel.txt"}]
-    assert_same(seen["one"], evaluated({"lateral_shift": 1e-3}), WARM_START)
-    own = ContactSystem(wheel=wheel).stepper()
-    assert_same(seen["two"], evaluated({"lateral_shift": 1e-3}, own), WARM_START)
 
 
 @ONLY_PYTHON

@@ -1,4 +1,4 @@
-"""The life cycle of the FMUs of FMI 2: what is refused, when, and what the log has of it.
+"""The life cycle of the FMUs: what is refused, when, and what the log has of it.
 
 PythonFMU knows neither fmi2Error nor the GUID, so the Python FMU refuses with the same sentences and other
 statuses: fmi2OK, and fmi2Discard for a step.
@@ -17,16 +17,16 @@ GOOD = {"good times", "wrong parameter", "right parameter", "enter", "output ins
 NAMED = {
     "step before": "has not been initialised", "output before": "roll is an output and cannot be read before",
     "enter refused": "gauge is 14.35;", "start nan": "startTime is nan s", "stop nan": "stopTime nan s",
-    "fixed parameter": "gauge is fixed at 1.435", "fixed text": "cannot become 'a ##7 %%s'",
+    "fixed parameter": "gauge is fixed at 1.435", "fixed text": "cannot become 'a ##7 %",
     "half a list": "roll is an output", "unknown reference": "4711 does not exist",
     "step nan": "a step of nan s", "beyond the stop": "ends after the stopTime 1.1 s",
-    "step after": "has been terminated", "set after": "yaw cannot be set", "enter twice": "entered once",
+    "step after": "has been terminated", "set after": "yaw cannot be set", "enter twice": " once, ",
 }
 
 
 def assert_lines(answers):
     """Refused calls have one line each, with status and category; all others have none."""
-    assert {name for name, (_, lines) in answers.items() if not lines} == GOOD
+    assert {name for name, (_, lines) in answers.items() if not lines} == GOOD & set(answers)
     for name in answers.keys() - GOOD:
         (status, category, sentence), = answers[name][1]
         assert (status, category) == (ERROR, "logStatusError"), f"{name}: {answers[name]}"
@@ -42,13 +42,15 @@ def test_python_fmu_refuses_without_a_fatal_status(hosts):
 
 
 @needs_compiler
-def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts):
-    seen, wanted = hosts(2).ask("life"), hosts("python").ask("life")
+@pytest.mark.parametrize("version", (2, 3))
+def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts, version):
+    """FMI 3 has other value references, and says its times as it enters initialisation mode."""
+    seen, wanted = hosts(version).ask("life"), hosts("python").ask("life")
     assert_lines(seen["answers"])
-    assert {name for name, (status, _) in seen["answers"].items() if status == OK} == GOOD
-    assert all(status in (OK, ERROR) for status, _ in seen["answers"].values())
-    assert ({name: lines for name, (_, lines) in seen["answers"].items()}
-            == {name: lines for name, (_, lines) in wanted["answers"].items()})
+    assert all(status == (OK if name in GOOD else ERROR) for name, (status, _) in seen["answers"].items())
+    if version == 2:
+        assert ({name: lines for name, (_, lines) in seen["answers"].items()}
+                == {name: lines for name, (_, lines) in wanted["answers"].items()})
     assert seen["after"] == pytest.approx(wanted["after"], abs=1e-12)
 
 

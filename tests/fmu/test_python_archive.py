@@ -13,7 +13,6 @@ from tests.helpers.cases import profile_file
 from tests.helpers.fmus import needs_compiler
 from tests.helpers.paths import ROOT
 from wrcontact.fmu import native
-from wrcontact.interface import variables
 from wrcontact.kernel.binding import compiler
 from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
@@ -40,14 +39,6 @@ def imported(source):
     names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and not node.level}
     return {name.split(".")[0] for name in names}
-
-
-def test_documentation_names_every_variable(entries):
-    page = entries["documentation/index.html"].decode()
-    for name, variable in variables.documented():
-        assert f"<code>{name}</code>" in page
-    assert "envelope theorem" in page and "ANALYN" in page
-    assert "contact_mode" in page and "about the wheelset's centre" in page and "a wheelset with mass" in page
 
 
 def test_command_line_prints_the_path_of_an_archive_with_the_same_bytes(fmu, tmp_path):
@@ -85,12 +76,3 @@ def unique_names(fmu):
     with zipfile.ZipFile(fmu) as archive:
         names = {name.split("/")[1] for name in archive.namelist() if name.startswith("resources/")}
     return {name for name in names if name.startswith(("wrcontact_", "wheelset_contact_"))}
-
-
-def test_command_line_refuses_an_unknown_profile(tmp_path):
-    script = ROOT / "build_fmu.py"
-    command = [sys.executable, str(script), "--output", str(tmp_path / "out"), "--wheel", "no such"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode != 0
-    assert "no such" in done.stderr and "S1002" in done.stderr and "Traceback" not in done.stderr
-    assert not (tmp_path / "out").exists()

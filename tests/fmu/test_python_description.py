@@ -26,26 +26,6 @@ def test_description_has_every_variable_of_the_table(description):
         assert found.initial == {INPUT: "exact", PARAMETER: "exact", OUTPUT: "calculated"}[variable.causality]
 
 
-def test_names_of_the_interface_are_there(description):
-    names = {v.name for v in description.modelVariables}
-    patch = ("normal_force", "area", "max_pressure", "length", "width", "centroid", "contact_angle")
-    side = ["patch_count", "contact.x_wheel", "contact.y_wheel", "contact.z_wheel", "contact.y_rail",
-            "contact.z_rail", "contact.x_track", "contact.y_track", "contact.z_track", "contact_angle",
-            "rolling_radius", "curvature_x", "curvature_y", "penetration", "normal_force", "area",
-            "max_pressure", "patch_length", "patch_width", "patch_centroid"]
-    side += [f"patch[{k}].{n}" for k in (1, 2, 3) for n in patch]
-    side += [f"{n}[{j}]" for n in ("station", "half_length", "pressure") for j in range(1, 32)]
-    expected = {f"{s}.{n}" for s in ("left", "right") for n in side} | {"roll", "vertical_shift", "status"}
-    expected |= {f"{vector}.{axis}" for vector in ("force", "moment") for axis in "xyz"}
-    expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer",
-                 "vertical_shift_input", "roll_input"}
-    expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth",
-                 "running_circle_distance", "nominal_radius", "youngs_modulus", "poisson_ratio",
-                 "contact_mode", "load", "normal_model", "separation", "longitudinal_curvature",
-                 "lateral_curvature", "curvature_step", "curvature_reach"}
-    assert expected <= names
-
-
 def test_every_real_has_a_unit_and_a_nominal_value(description):
     for v in description.modelVariables:
         if v.type == "Real":

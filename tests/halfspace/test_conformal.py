@@ -1,19 +1,18 @@
 """The half-space on wheel and rail where the patch turns: the independent program, and what one mode says
 about another; tests/normal/test_conformal.py has CONTACT's conformal answers."""
 
-import csv
 import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+import data
 import wrcontact
 from data import brute_force, conformal_reference
 from data.hertz import MODULUS
 from tests.helpers.cases import system
 from tests.helpers.inside import tables_of
-from tests.helpers.paths import DATA
 from wrcontact import Status
 from wrcontact.halfspace.boxes import centres
 from wrcontact.halfspace.one_grid import solve_grid
@@ -24,8 +23,7 @@ from wrcontact.halfspace.turning_gap import middle_curve, turning_gap
 from wrcontact.halfspace.wheel_on_rail import wheel_on_rail
 from wrcontact.kernel import layout
 
-with open(DATA / "conformal.csv", newline="", encoding="utf-8") as file:
-    ROWS = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+ROWS = data.rows_of(data.CONFORMAL)
 
 
 def halfspace(**parameters):
@@ -183,7 +181,7 @@ def turned(pair, turn):
 def test_turning_wheel_and_rail_together_changes_nothing(turn):
     """Force, peak and area at the same place; the force turns with them."""
     pair = pair_of(9)
-    settings = Settings(tables_of(halfspace())[layout.SET_CONTACT_MODULUS], 0.2, False, 5e-3)
+    settings = Settings(layout.Tables.at(tables_of(halfspace())).contact_modulus, 0.2, False, 5e-3)
     one, other = (press(each.lowered(-2e-4), settings, penetration=2e-4)
                   for each in (pair, turned(pair, turn)))
     assert other.contact.force == pytest.approx(one.contact.force, rel=2e-4)
@@ -199,7 +197,7 @@ def test_unequal_materials_change_the_energy_of_a_turning_patch():
     stored energy p A p / 2 of a given overlap is the least there is, so to first order it changes by
     -p T p / 2, here by the sum over all pairs of cells; by 1.3 % for a coupling of 0.3."""
     pair = pair_of(9)
-    modulus, coupling = tables_of(halfspace())[layout.SET_CONTACT_MODULUS], 0.3
+    modulus, coupling = layout.Tables.at(tables_of(halfspace())).contact_modulus, 0.3
 
     def pressed(coupling):
         """Cells with their forces, and the work p A p = -p h."""

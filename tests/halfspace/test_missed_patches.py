@@ -45,7 +45,7 @@ def solved(name):
                          roll=state.roll, vertical_shift=state.vertical_shift)
     found = getattr(state, side)
     sunk = found.penetration / math.cos(found.contact_angle)
-    settings = Settings(tables_of(model)[layout.SET_CONTACT_MODULUS], 0.0, False, 0.02)
+    settings = Settings(layout.Tables.at(tables_of(model)).contact_modulus, 0.0, False, 0.02)
     return state, found, press(pair, settings, penetration=sunk)
 
 

@@ -19,10 +19,8 @@ from wrcontact.conventions import MIRROR
 from wrcontact.halfspace import contact, outputs, stepping
 from wrcontact.halfspace.turning_gap import turning_gap
 from wrcontact.halfspace.wheel_on_rail import wheel_on_rail
-from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
-from wrcontact.methods import CHOICES, Halfspace
-from wrcontact.simulation.session import Refused, Session
+from wrcontact.methods import Halfspace
 
 # --- tables and the independent program -----------------------------------------------------------
 
@@ -348,13 +346,3 @@ def test_unchanged_inputs_are_not_solved_again(monkeypatch):
     assert stepper.step() == Status.OFF_PROFILE
     stepper.inputs[0] = 1e-3
     assert stepper.step() == Status.VALID and len(calls) == 6
-
-
-def test_the_session_of_an_fmu_refuses_it():
-    session = Session()
-    session.set_strings([REFERENCE["normal_model"]], ["halfspace"])
-    with pytest.raises(Refused) as refusal:
-        session.start()
-    permitted = ", ".join(repr(choice) for choice in CHOICES["normal_model"])
-    assert "halfspace" not in permitted
-    assert str(refusal.value) == f"normal_model is 'halfspace'; permitted are {permitted}"

@@ -15,6 +15,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     parts = {"hertz": hertz_table(), "influence": influence_table()}
     array = np.concatenate([np.zeros(layout.SETTING_COUNT), *parts.values()])
     tables = layout.Tables.at(array)
+    tables.pairs[1].tables = tables
     tables.contact_modulus, tables.strips, tables.sweeps = MODULUS, strips, sweeps
     offset = layout.SETTING_COUNT
     for name, table in parts.items():

@@ -75,15 +75,3 @@ def scale(rates, number):
     largest = np.zeros(FAMILY.max() + 1)
     np.maximum.at(largest, FAMILY, np.abs(rates))
     return np.maximum(largest[FAMILY], 1e-3 * NOMINAL / USUAL[number])
-
-
-def assert_near_differences(stepper, row, numbers, clear_share, allowed=AGREE):
-    """Derivatives of all outputs along these inputs, where differences are clear, which this share of them is
-    at least."""
-    for number in numbers:
-        status, rates = derivative(stepper, row, number)
-        wanted, apart, _ = differences(stepper, row, number)
-        size = scale(rates, number)
-        clear = (apart / size <= CLEAR) & CONTINUOUS
-        assert status <= layout.UNLOADED and clear.mean() > clear_share
-        assert np.abs((rates - wanted) / size)[clear].max() < allowed

@@ -22,7 +22,7 @@ def derivatives(fmu, rows, outputs, inputs, start, stations=31):
     slave = instance.slave
     for row in rows:
         instance.step(**row)
-        before, values = instance.saved(), instance.get()
+        values, before = instance.get(), instance.saved()
         found = {"matrix": matrix(slave), "together": along(slave, knowns, [1.0] * len(knowns))}
         if fmu.version == 3:
             found["adjoint"] = slave.getAdjointDerivative(unknowns, knowns, [1.0] * count,

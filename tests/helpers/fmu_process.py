@@ -119,15 +119,6 @@ def localised(fmu, locale_name, inner, arguments):
     return {"one and a half": written.value.decode(), "answer": scenario_of(inner)(fmu, **arguments)}
 
 
-def neighbours(fmu, other, other_folder):
-    """Two different FMUs in one process, both ways round."""
-    second = Fmu(other, other_folder)
-    one, two = fmu.running("one"), second.running("two")
-    one.step(lateral_shift=1e-3), two.step(lateral_shift=1e-3)
-    wheels = [one.get("wheel_profile"), two.get("wheel_profile")]
-    return {"one": one.get(), "two": two.get(), "wheels": wheels, "modules": modules(fmu)}
-
-
 def several(fmu, others, rows, shared):
     """Several FMUs in one process, stepped in turn, with two instances of the first."""
     fmus = {"first": fmu, **{name: Fmu(*where) for name, where in others.items()}, "again": fmu}

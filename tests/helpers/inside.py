@@ -36,13 +36,13 @@ def rates_along(stepper, seed):
 
 
 def tables_of(system):
-    """Settings and tables of the right side of a system."""
+    """Settings and tables of a system."""
     return system._tables
 
 
 def lateral_curvatures(system, body):
     """Places (n,) [m] and lateral curvatures (n,) [1/m] that are prepared for the "wheel" or the "rail",
     positive where a profile bulges towards the other one."""
-    table = getattr(layout.Tables.at(tables_of(system)), f"{body}_curvature")
+    table = getattr(layout.Tables.at(tables_of(system)).pairs[1], f"{body}_curvature")
     count = int(table.count)
     return table.start + np.arange(count) / table.per_metre, np.array(table.curvatures[:count])

@@ -195,9 +195,8 @@ static void run_kernel(void)
     int64_t (*abi)(void) = function("wrcontact_abi");
     int (*step)(const wrcontact_handle *) = function("wrcontact_step");
     wrcontact_handle handle;
-    handle.right_tables = zeros(number());
-    read_reals(handle.right_tables.data, (size_t)handle.right_tables.shape[0]);
-    handle.left_tables = handle.right_tables;       /* both sides are equal */
+    handle.tables = zeros(number());
+    read_reals(handle.tables.data, (size_t)handle.tables.shape[0]);
     handle.state = zeros(number());
     handle.workspace = zeros(number());
     const size_t input_count = number(), output_count = number(), row_count = number();

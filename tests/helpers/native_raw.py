@@ -8,13 +8,11 @@ prints what it saw as JSON.
 Every answer is what one call returned, and the lines that it left in the log.
 """
 
-import gc
 import json
 import math
 import re
 import sys
-import threading
-from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p, create_string_buffer, memmove
+from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p, create_string_buffer
 from pathlib import Path
 
 from raw_bad_input import bad_input, every_input, order
@@ -186,66 +184,11 @@ def categories(fmi):
             "all on": after(1)}
 
 
-def threads(fmi, count=4, rounds=40):
-    """Bits of runs in threads; calls through ctypes leave Python's lock, so they run at once."""
-    alone = [run(fmi, fmi.ready()) for _ in range(rounds)]
-    found = [[] for _ in range(count)]
-
-    def work(seen):
-        c = fmi.ready()
-        seen.extend(run(fmi, c) for _ in range(rounds))
-        fmi.free(c)
-
-    running = [threading.Thread(target=work, args=(seen,)) for seen in found]
-    [thread.start() for thread in running]
-    [thread.join() for thread in running]
-    return {"equal": [[one == two for one, two in zip(seen, alone, strict=True)] for seen in found]}
-
-
-def memory(fmi, rounds=300):
-    """Growth of the process [bytes] over instances that are made, misused, and freed with
-    states that nobody has freed."""
-    if sys.platform != "linux":
-        return {}
-
-    def resident():
-        gc.collect()
-        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
-
-    def use():
-        for arguments in ({}, {"name": b""}, {"token": b"{0}"}):
-            c = fmi.instantiate(**arguments)
-            if c is None:
-                continue
-            fmi.set_text(c, "wheel_profile", b"nothing")
-            assert fmi.enter(c) == ERROR and fmi.plain("Reset", c) == OK and fmi.enter(c) == OK
-            assert fmi.plain("ExitInitializationMode", c) == OK
-            state, size = c_void_p(), c_size_t()
-            for _ in range(3):
-                state.value = None
-                assert fmi.state("Get", c, byref(state)) == OK
-            assert fmi.state("Size", c, state, byref(size)) == OK
-            data = create_string_buffer(size.value)
-            assert fmi.state("Serialize", c, state, data, size) == OK
-            assert fmi.state("Deserialize", c, data, size, byref(c_void_p())) == OK
-            memmove(data, b"x", 1)
-            assert fmi.state("Deserialize", c, data, size, byref(c_void_p())) == ERROR
-            fmi.free(c)
-        fmi.told()
-
-    for _ in range(50):
-        use()
-    before = resident()
-    for _ in range(rounds):
-        use()
-    return {"growth": resident() - before}
-
-
 if __name__ == "__main__":
     fmi_version, library_file, header_folder = sys.argv[1:]
     given = json.load(sys.stdin)
     library = Library(int(fmi_version), library_file, given["token"], given["references"])
-    parts = (bad_input, every_input, order, legal, creation, categories, threads, memory)
+    parts = (bad_input, every_input, order, legal, creation, categories)
     found = {}
     for part in parts:
         found[part.__name__] = part(library)

@@ -10,7 +10,7 @@ from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 REFERENCE = "x86_64-linux"      # the platform that others are compared with
 KERNEL_EXPORTS = {f"wrcontact_{name}" for name in (
     "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "prepare",
-    "prepare_room", "complete")}
+    "prepare_room")}
 
 
 def needs(condition, reason):

@@ -136,37 +136,16 @@ def every_input(fmi):
 
 
 def order(fmi):
-    """Calls before and after their time; then a component is reset and works."""
+    """Sizes of steps up to the stopTime, the end of the last one, and what is possible after it; then a
+    component is reset and works."""
     c, wanted = fmi.instantiate(), run(fmi, fmi.ready())
-    fmi.told()
-    answers = {
-        "step before": (fmi.step(c), fmi.told()),
-        "output before": (fmi.get(c, "roll"), fmi.told()),
-        "status before": (fmi.outcome(c), fmi.told()),
-        "leave before": (fmi.plain("ExitInitializationMode", c), fmi.told()),
-        "terminate before": (fmi.plain("Terminate", c), fmi.told()),
-        "start nan": (fmi.enter(c, math.nan), fmi.told()),
-        "stop before start": (fmi.enter(c, 1.0, 0.5), fmi.told()),
-        "stop nan": (fmi.enter(c, 1.0, math.nan), fmi.told()),
-    }
-    input_before = fmi.get(c, "lateral_shift", "gauge")
-    assert fmi.enter(c, 1.0, 1.1) == OK
-    answers["step inside"] = fmi.step(c), fmi.told()
-    answers["terminate inside"] = fmi.plain("Terminate", c), fmi.told()
-    inside = fmi.get(c, "roll"), fmi.set(c, gauge=1.435), fmi.plain("ExitInitializationMode", c)
+    assert fmi.enter(c, 1.0, 1.1) == OK and fmi.plain("ExitInitializationMode", c) == OK
     sizes = [fmi.step(c, 1.0, size) for size in (0.0, 5e-324, 1e-9, 0.05, 0.1, 0.1 + 1e-12)]
-    answers["beyond the stop"] = fmi.step(c, 1.05, 0.1), fmi.told()
     last = last_time(fmi, c)
     at_the_end = fmi.step(c, 1.05, 0.05), fmi.plain("Terminate", c), fmi.get(c, "lateral_shift")
-    answers |= {
-        "step after": (fmi.step(c), fmi.told()),
-        "set after": (fmi.set(c, yaw=0.1), fmi.told()),
-        "terminate after": (fmi.plain("Terminate", c), fmi.told()),
-    }
     long_steps = fmi.ready()
     sizes += [fmi.step(long_steps, time, size) for time, size in ((0.0, 1e6), (-3.0, 1.0), (7.0, 0.0))]
-    return {"answers": answers, "input_before": input_before, "inside": inside, "sizes": sizes,
-            "at_the_end": at_the_end, "last": last, "after": check_run(fmi, c, wanted)}
+    return {"sizes": sizes, "at_the_end": at_the_end, "last": last, "after": check_run(fmi, c, wanted)}
 
 
 def last_time(fmi, c):

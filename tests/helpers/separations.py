@@ -8,8 +8,8 @@ from scipy.optimize import brentq
 import wrcontact
 from tests.helpers.inside import workspace_of
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding.setup import profile_tables
 from wrcontact.kernel.contact import curves, separation, traces
-from wrcontact.kernel.contact import frame as planes
 from wrcontact.methods import NUMBERS
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
@@ -126,14 +126,13 @@ class Contact:
         assert stepper.step() == 0
         self.state = self.system.evaluate(shift, yaw, force)
         self.tables, self.work = stepper.tables, workspace_of(stepper)
-        wheel, rail, end = (int(self.tables[at])
-                            for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
-        self.rail = Curve(self.tables[rail:end])
-        self.wheel = Outline(self.tables[wheel:rail], self.system, self.state)
+        wheel, rail, _ = profile_tables(self.tables, 1)
+        self.rail = Curve(rail)
+        self.wheel = Outline(wheel, self.system, self.state)
         contact = layout.Work.at(self.work).contact
         index = max(range(contact.overlap.count), key=lambda k: contact.regions[k].load)
         region, frame = contact.regions[index], contact.frame
-        planes.use_frame(frame, contact.frames, index)
+        layout.copy(contact.frames[index], frame)
         frame.raised = 0.0            # separations begin at zero
         self.u_rail, self.u_wheel = region.rail, region.wheel
         self.depth = frame.depth
@@ -146,9 +145,9 @@ class Contact:
         tables.separation = NUMBERS["separation"][kind]
         region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
         traces.start_traces(work.contact.frame, 0.0, self.u_rail, self.u_wheel)
-        curves.open_origin(tables, work.contact.frame, work.contact.origin, region, spacing)
-        return np.array([separation.separation(tables, work.contact.frame, work.contact.origin, float(s),
-                                               1e-13)
+        curves.open_origin(tables.pairs[1], work.contact.frame, work.contact.origin, region, spacing)
+        return np.array([separation.separation(tables.pairs[1], work.contact.frame, work.contact.origin,
+                                               float(s), 1e-13)
                          for s in stations]).T
 
     def depth_lost(self, u_rail):

@@ -76,10 +76,10 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
 
 def test_every_parameter_reaches_the_kernel():
     system = wrcontact.ContactSystem(gauge=1.437, poisson_ratio=0.3, stations=7, load="vertical")
-    found = dict(zip(KERNEL_PARAMETERS, tables_of(system)[layout.SET_PARAMETERS:]))
+    found = layout.Tables.at(tables_of(system)).parameters
     expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL,
                 "tolerance": 0.01}
-    assert {name: found[name] for name in expected} == expected
+    assert {name: getattr(found, name) for name in expected} == expected
     assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {
         "wheel", "rail", "nodes", "strips", "sweeps", "smoothing",
         "left_wheel", "left_rail", "left_nominal_radius", "left_rail_inclination"}

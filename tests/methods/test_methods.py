@@ -28,7 +28,7 @@ from wrcontact import (
     VerticalSeparation,
     Wheelset,
 )
-from wrcontact.interface.parameters import GROUPS, KERNEL_PARAMETERS, PARAMETERS
+from wrcontact.interface.parameters import GROUPS, PARAMETERS
 from wrcontact.interface.variables import PLACE, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.methods import CHOICES, FAMILIES, NUMBERS, NormalModel
@@ -129,7 +129,7 @@ def test_the_kernel_has_the_number_of_every_method():
     for parameter, numbers in NUMBERS.items():
         for name, number in numbers.items():
             system = wrcontact.ContactSystem(**{parameter: name})
-            assert tables_of(system)[layout.SET_PARAMETERS + KERNEL_PARAMETERS.index(parameter)] == number
+            assert getattr(layout.Tables.at(tables_of(system)).parameters, parameter) == number
 
 
 def test_an_fmu_offers_what_its_table_says():

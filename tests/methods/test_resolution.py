@@ -8,11 +8,9 @@ import pytest
 
 import wrcontact
 from tests.helpers.inside import tables_of
-from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
 from wrcontact.methods import Analyn, NormalModel, Resolution, Strip, family_of
 from wrcontact.methods.normal import DEFAULT
-from wrcontact.simulation.session import Refused, Session
 
 NAMES = ("penetration", "area", "max_pressure")
 SIDES = ("left", "right")
@@ -106,9 +104,9 @@ def test_counts_take_the_place_of_single_numbers():
 
 
 def test_resolution_reaches_the_kernel():
-    tables = tables_of(wrcontact.ContactSystem(normal_model="analyn_strip", nodes=20, strips=40, sweeps=3))
-    places = [layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]
-    assert tables[places].tolist() == [20, 1, 40, 3]
+    system = wrcontact.ContactSystem(normal_model="analyn_strip", nodes=20, strips=40, sweeps=3)
+    tables = layout.Tables.at(tables_of(system))
+    assert (tables.nodes, tables.stride, tables.strips, tables.sweeps) == (20, 1, 40, 3)
 
 
 def test_every_permitted_count_gives_an_answer():
@@ -184,35 +182,3 @@ def test_ends_of_the_counts_are_permitted():
         for value in (known.low, known.high):
             assert getattr(wrcontact.ContactSystem(normal_model="analyn_strip", **{name: value}).resolution,
                            name) == value
-
-
-# --- the parameter of an FMU --------------------------------------------------------------------------------
-
-
-def session_of(tolerance, model="analyn_strip"):
-    session = Session()
-    session.set_strings([REFERENCE["normal_model"]], [model])
-    session.set_reals([REFERENCE["tolerance"]], [tolerance])
-    session.set_reals([REFERENCE["lateral_shift"]], [5e-3])
-    return session
-
-
-@pytest.mark.parametrize("tolerance", [0.025, 0.01, 0.004])
-def test_session_takes_the_tolerance(tolerance):
-    session = session_of(tolerance)
-    session.start()
-    side = wrcontact.ContactSystem(normal_model="analyn_strip", tolerance=tolerance).evaluate(5e-3).right
-    assert session.get_reals([REFERENCE["right.area"]]) == [side.area]
-    assert session.get_reals([REFERENCE["right.max_pressure"]]) == [side.max_pressure]
-    with pytest.raises(Refused, match="tolerance is fixed at .* after initialisation"):
-        session.set_reals([REFERENCE["tolerance"]], [0.02])
-
-
-def test_session_refuses_a_tolerance_out_of_range():
-    with pytest.raises(Refused) as refusal:
-        session_of(0.002).start()
-    assert (str(refusal.value)
-            == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1")
-    with pytest.raises(Refused) as refusal:
-        session_of(0.5).start()
-    assert str(refusal.value) == "tolerance is 0.5; permitted is 0.0001 ... 0.1"

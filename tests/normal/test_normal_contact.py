@@ -1,15 +1,14 @@
 """Normal contact: Hertz in closed form, the complete theory's tables, balances, limits and scaling."""
 
-import csv
 
 import numpy as np
 import pytest
 
+import data
 import wrcontact
 from data.hertz import MODULUS, hertz
 from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
-from tests.helpers.paths import DATA
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.fixed_tables import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
@@ -17,8 +16,6 @@ from wrcontact.kernel.normal.coefficients import FLOOR, hertz_coefficients, hert
 from wrcontact.kernel.normal.node_patches import fill_from_nodes
 from wrcontact.kernel.patch.outline import write_outline
 from wrcontact.kernel.wheelset.report import report_load, report_outline
-from wrcontact.profiles.profile import Profile
-from wrcontact.profiles.zones import Arc
 
 TABLE = layout.HertzTable.at(hertz_table())
 CURVATURES = [(1.087, 1.087 * ratio) for ratio in (0.03, 0.2, 0.7, 1.3, 5.0, 60.0)]
@@ -149,16 +146,15 @@ def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. Its contact plane is the
     load-weighted one; at 5 and 6 mm that is 0.09 and 0.02 rad away from the rigid one, which turns the
     approach by 0.4 % at most."""
-    with open(DATA / "contact_full.csv", newline="") as file:
-        finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in csv.DictReader(file)}
+    rows = data.rows_of(data.FOLDER / "contact_full.csv")
+    finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in rows}
     system = wrcontact.ContactSystem(normal_model=model)
     compared = []
     for (shift, yaw), row in finest.items():
-        side = system.evaluate(lateral_shift=float(shift) * 1e-3, yaw=np.radians(float(yaw)),
-                               side="right").right
-        compared.append([side.penetration * 1e3 / float(row["penetration_mm"]),
-                         side.area * 1e6 / float(row["area_fit_mm2"]),
-                         side.max_pressure * 1e-6 / float(row["max_pressure_MPa"])])
+        side = system.evaluate(lateral_shift=shift * 1e-3, yaw=np.radians(yaw), side="right").right
+        compared.append([side.penetration * 1e3 / row["penetration_mm"],
+                         side.area * 1e6 / row["area_fit_mm2"],
+                         side.max_pressure * 1e-6 / row["max_pressure_MPa"]])
     error = np.abs(np.array(compared) - 1)
     assert len(error) == 8
     assert np.all(error.mean(axis=0) < mean), error
@@ -210,38 +206,6 @@ def test_a_penetration_below_zero_is_refused(system):
     with pytest.raises(ValueError, match=r"penetration \(left\) is -1 m; permitted is 0 ... 0.01 m"):
         system.evaluate(penetration=-1.0)
     assert system.evaluate().right.normal_force == pytest.approx(78.5e3)
-
-
-def test_light_loads_tend_to_hertz():
-    """As the patch shrinks the curvatures become constant: ANALYN and Hertz meet, away from joints."""
-    bodies = {model: wrcontact.ContactSystem(normal_model=model) for model in ("analyn", "hertz")}
-    for shift in (0.0, 3e-3, 6e-3, 7e-3):
-        light = {model: body.evaluate(lateral_shift=shift, normal_force=1e-2).right
-                 for model, body in bodies.items()}
-        for name in ("penetration", "area", "max_pressure"):
-            assert (getattr(light["analyn"], name)
-                    == pytest.approx(getattr(light["hertz"], name), rel=2e-3)), (shift, name)
-
-
-def test_scaling_with_size():
-    """All lengths times k and forces times k^2: pressures stay, lengths grow k-fold."""
-
-    def contact(k):
-        wheel = Profile("ball", "wheel", (Arc(-50.0 * k, 50.0 * k, 200.0 * k, 20.0 * k, -199.0 * k, 1),))
-        rail = Profile("crown", "rail", (Arc(-36.0 * k, 36.0 * k, 90.0 * k, 0.0, 90.0 * k, -1),))
-        pair = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4 * k,
-                                       gauge_depth=6e-3 * k, running_circle_distance=1.5 * k,
-                                       nominal_radius=0.46 * k)
-        return pair.evaluate(lateral_shift=2e-3 * k, yaw=0.01, normal_force=5e4 * k**2)
-
-    one, large = contact(1.0), contact(1.3)
-    assert one.status == large.status == 0
-    assert large.roll == pytest.approx(one.roll, abs=1e-12)
-    for side_one, side_large in ((one.left, large.left), (one.right, large.right)):
-        assert side_large.max_pressure == pytest.approx(side_one.max_pressure, rel=1e-7)
-        assert side_large.penetration == pytest.approx(1.3 * side_one.penetration, rel=1e-7)
-        assert side_large.area == pytest.approx(1.69 * side_one.area, rel=1e-7)
-        assert side_large.contact.y_wheel == pytest.approx(1.3 * side_one.contact.y_wheel, rel=1e-9)
 
 
 def test_flat_and_concave_pairs_are_handled(system):

@@ -111,7 +111,7 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
     zone.level = 0.9 * exact
     zone.start, zone.stop = (side * math.sqrt(zone.level / B) for side in (-1, 1))
 
-    def trace(tables, contact, regions):
+    def trace(pair, contact, regions):
         for i in range(problem.count):
             strip = problem.strips[i]
             strip.overlap, strip.rise = exact - B * strip.station**2, 0.0
@@ -119,9 +119,9 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(strip_contact, "trace_strips", trace)
-        penetration, found = strip_contact.first_layout(tables, contact, 1, force, 0)
+        penetration, found = strip_contact.first_layout(tables.pairs[1], contact, 1, force, 0)
         assert found == 1
-        penetration, found = strip_contact.second_layout(tables, contact, 1, force, 0)
+        penetration, found = strip_contact.second_layout(tables.pairs[1], contact, 1, force, 0)
         assert found == 1
     fill_from_strips(tables, contact, side, 1)
     exact, a, b, pressure = hertz(A, B, force)

@@ -13,8 +13,10 @@ from wrcontact.kernel import layout
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.fixed_tables import fixed_tables, hertz_table, influence_table
 from wrcontact.kernel.binding.library import Kernel, default_kernel
+from wrcontact.kernel.binding.setup import setup_of
 from wrcontact.kernel.prepare import pieces as made
 from wrcontact.kernel.prepare import scan as raster
+from wrcontact.kernel.prepare import tables as prepare
 from wrcontact.kernel.prepare.tables import START_STEP, STARTS_EACH_METRE
 from wrcontact.kernel.search.bounds import STEEP, WIDEST
 from wrcontact.methods import NUMBERS
@@ -24,6 +26,7 @@ from wrcontact.profiles.compiled import evaluate_table, table_pieces
 from wrcontact.profiles.definition import definition
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
+from wrcontact.stepper import Stepper
 
 MM = 1e-3
 LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012,
@@ -84,8 +87,10 @@ def test_settings_are_the_parameters(prepared):
     chosen = system.parameters
     modulus, nu = chosen["youngs_modulus"], chosen["poisson_ratio"]
     methods = {name: numbers[chosen[name]] for name, numbers in NUMBERS.items()}
-    wanted = dict(radius=chosen["nominal_radius"], height=chosen["nominal_radius"],
-                  arm=0.5 * chosen["running_circle_distance"], rail_y=exact_profiles(system)[1].y_track,
+    for pair in tables.pairs:
+        assert pair.radius == chosen["nominal_radius"]
+        assert pair.rail_y == pytest.approx(exact_profiles(system)[1].y_track, rel=1e-15)
+    wanted = dict(height=chosen["nominal_radius"], arm=0.5 * chosen["running_circle_distance"],
                   contact_modulus=modulus / (2 * (1 - nu**2)), shear_modulus=modulus / (2 * (1 + nu)),
                   lateral_limit=LATERAL_LIMIT, yaw_limit=YAW_LIMIT, sides=layout.SIDES_BOTH,
                   depth=layout.DEPTH_ALL, absent=np.nan, stations=layout.STATION_COUNT,
@@ -102,20 +107,21 @@ def test_settings_are_the_parameters(prepared):
 def test_tables_lie_one_after_the_other(prepared):
     system, _ = prepared
     numbers = tables_of(system)
-    places = [int(numbers[at]) for at in (
-        layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN, layout.SET_HERTZ, layout.SET_INFLUENCE,
-        layout.SET_STARTS, layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE, layout.SET_RAIL_ARC,
-        layout.SET_RAIL_AT_ARC)] + [len(numbers)]
-    (_, _, _, hertz, influence, starts, wheel, rail, arc, at_arc, end) = places
-    assert places[0] == layout.SETTING_COUNT and places == sorted(places)
+    tables = layout.Tables.at(numbers)
+    pair = tables.pairs[1]
+    places = [layout.offset(part, numbers) for part in (
+        tables.hertz, tables.influence, tables.starts, pair.wheel, pair.wheel_curvature, pair.rail,
+        pair.rail_curvature, pair.rail_arc, pair.rail_at_arc, pair.scan)]
+    hertz, influence, starts, wheel, wheel_bends, rail, rail_bends, arc, at_arc, scan = places
+    assert hertz == layout.SETTING_COUNT and places == sorted(places)
     np.testing.assert_array_equal(numbers[hertz:influence], hertz_table())
     np.testing.assert_array_equal(numbers[influence:starts], influence_table())
     assert wheel - starts == layout.STARTS_SIZE
     if system.parameters["lateral_curvature"] == "adaptive":
-        assert wheel == rail == arc
+        assert wheel_bends == rail and rail_bends == arc
     else:
-        assert rail - wheel == 3 + numbers[wheel] and arc - rail == 3 + numbers[rail]
-    for first, after in ((arc, at_arc), (at_arc, end)):
+        assert rail - wheel_bends == 3 + numbers[wheel_bends] and arc - rail_bends == 3 + numbers[rail_bends]
+    for first, after in ((arc, at_arc), (at_arc, scan)):
         assert after - first == 3 + 4 * numbers[first]
 
 
@@ -231,7 +237,7 @@ class Samples:
 def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
     system, tables = prepared
     wheel, rail, _ = system.profile_tables()
-    scan, of_wheel, of_rail = tables.scan, Samples(wheel), Samples(rail)
+    scan, of_wheel, of_rail = tables.pairs[1].scan, Samples(wheel), Samples(rail)
     nodes = [scan.nodes[k] for k in range(int(scan.count))]
     y = np.array([node.y for node in nodes])
     coarse = np.linspace(of_wheel.start, of_wheel.stop,
@@ -255,7 +261,7 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
     assert scan.steepest == pytest.approx(of_wheel.between(-1.0, 1.0)[2], **near)
     at = y[:, None] + np.append(np.diff(y), 0.0)[:, None] * np.linspace(0.0, 1.0, raster.LAST_SAMPLE + 1)[:-1]
     z, slope, _ = evaluate_table(wheel, at)
-    levers = (-slope * (tables.radius + z) - (tables.arm + at)).max(axis=1)
+    levers = (-slope * (tables.pairs[1].radius + z) - (tables.arm + at)).max(axis=1)
     np.testing.assert_allclose([node.lever for node in nodes], np.maximum.accumulate(levers[::-1])[::-1],
                                rtol=1e-12)
     step = raster.FINE_STEP
@@ -308,7 +314,7 @@ def nodes_of(table):
 def test_arc_lengths_are_integrals_along_the_rail(prepared):
     """By adaptive quadrature between the ends of the pieces."""
     system, tables = prepared
-    rail = system.profile_tables()[1]
+    pair, rail = tables.pairs[1], system.profile_tables()[1]
     head = layout.Profile.at(rail)
 
     def speed(y):
@@ -324,15 +330,15 @@ def test_arc_lengths_are_integrals_along_the_rail(prepared):
         piece = min(np.searchsorted(ends, y, side="right"), len(ends) - 1) - 1
         return lengths[piece] + arc(ends[piece], y)
 
-    for table, start, whole in ((tables.rail_arc, head.start, head.stop - head.start),
-                                (tables.rail_at_arc, 0.0, lengths[-1])):
+    for table, start, whole in ((pair.rail_arc, head.start, head.stop - head.start),
+                                (pair.rail_at_arc, 0.0, lengths[-1])):
         assert (table.start, table.count) == (start, np.ceil(whole / 1e-4))
         assert table.count / table.cells_per_unit == pytest.approx(whole, abs=1e-13)
-    y, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(tables.rail_arc))
+    y, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(pair.rail_arc))
     y = np.minimum(y, head.stop)
     np.testing.assert_allclose(found, [length_at(place) for place in y], rtol=0, atol=1e-13)
     np.testing.assert_allclose(slope, speed(y), rtol=1e-12)
-    length, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(tables.rail_at_arc))
+    length, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(pair.rail_at_arc))
     found = np.minimum(found, head.stop)
     np.testing.assert_allclose([length_at(place) for place in found], length, rtol=0, atol=1e-13)
     np.testing.assert_allclose(slope, 1 / speed(found), rtol=1e-11)
@@ -391,7 +397,30 @@ def test_a_definition_is_read_exactly():
         assert all(value in held for value in numbers)
 
 
+def test_a_rail_is_exchanged_by_itself():
+    """Another rail behind the tables of a system, with its raster: the answers of a system with that rail."""
+    system, other = wrcontact.ContactSystem(), wrcontact.ContactSystem(rail="54E1")
+    size, room = len(tables_of(system)), 60_000
+    array, work = np.append(tables_of(system), np.zeros(room)), memoryview(np.zeros(2 * room))
+    tables, setup = layout.Tables.at(array), layout.Setup.at(setup_of(system.parameters, system.methods))
+    held = memoryview(definition(other.rail))
+    end = size
+    for pair in tables.pairs:
+        end = prepare.write_rail(setup, tables, pair, 1 / 40, end, held, work)
+        end = raster.write_scan(setup, tables, pair, end, work)
+    assert size < end <= len(array)
+    expected = tables_of(other).copy()
+    for each in (array, expected):
+        layout.Tables.at(each).starts.count = 0.0       # they are those of another rail
+    changed, wanted = Stepper(array), Stepper(expected)
+    for shift, yaw in ((0.0, 0.0), (2e-3, 5e-3), (-5.5e-3, -0.01), (6.5e-3, 0.02)):
+        for one in (changed, wanted):
+            one.inputs[:4] = shift, yaw, 0.0, 8e4
+        assert changed.step() == wanted.step() == 0
+        np.testing.assert_array_equal(changed.outputs, wanted.outputs)
+
+
 def test_setup_that_is_no_array_is_refused():
     upright = definition(standard_profile("UIC60"))
     with pytest.raises(TypeError, match="setup must be a numpy array"):
-        Kernel().prepare([0.0], upright, upright, fixed_tables())
+        Kernel().prepare([0.0], *[upright] * 4, fixed_tables())

@@ -33,19 +33,6 @@ from wrcontact.profiles.smoothing import noise_of
 # --- noise and smoothing --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("spacing", [0.1, 0.5, 1.0])
-@pytest.mark.parametrize("kind", NAMES)
-def test_exact_points_are_left_as_they_are(tmp_path, kind, spacing):
-    y, z = points(kind, spacing)
-    profile, said = read(tmp_path, "".join(f"{a!r} {b!r}\n" for a, b in zip(y.tolist(), z.tolist())), kind)
-    assert said == ""
-    inside = (y > INSIDE[kind][0]) & (y < INSIDE[kind][1])
-    # a rail's origin moves to its highest point
-    shift = 0.0 if kind == "wheel" else profile.zones[0].start - y[0]
-    heights = profile.height((y[inside] + shift) * MM) / MM
-    assert np.ptp(heights - z[inside]) < 1e-4                             # 1e-7 m
-
-
 @pytest.mark.parametrize("deviation", [1e-3, 1e-2, 5e-2])
 @pytest.mark.parametrize("spacing", [0.1, 0.2, 0.5])
 def test_noise_is_estimated(deviation, spacing):

@@ -145,9 +145,8 @@ def test_the_kernel_shows_nothing():
 
 
 LONG_WORK = ("benchmarks/__main__.py", "benchmarks/parts.py", "benchmarks/random_poses.py",
-             "benchmarks/curvature.py", "benchmarks/errors.py", "benchmarks/profiles.py",
-             "benchmarks/searches.py", "wrcontact/cli/commands.py",
-             "wrcontact/cli/demo.py", "wrcontact/study/figures.py",
+             "benchmarks/curvature.py", "benchmarks/errors.py", "benchmarks/studies.py",
+             "wrcontact/cli/commands.py", "wrcontact/cli/demo.py", "wrcontact/study/figures.py",
              "wrcontact/fmu/native.py", "wrcontact/fmu/online.py", "wrcontact/halfspace/stepping.py")
 
 

@@ -1,16 +1,15 @@
 """Rigid contact: published positions, an independent brute-force search, and the conditions
 of contact themselves."""
 
-import csv
 import math
 
 import numpy as np
 import pytest
 
+import data
 import wrcontact
 from data import brute_force
 from tests.helpers.fuzzing import cut
-from tests.helpers.paths import DATA
 from tests.helpers.surface_witness import Surfaces, assert_positions
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail
@@ -24,15 +23,9 @@ def system():
     return wrcontact.ContactSystem()
 
 
-def rows(name):
-    with open(DATA / name, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-@pytest.mark.parametrize("row", rows("rigid_positions.csv"),
+@pytest.mark.parametrize("value", data.rows_of(data.FOLDER / "rigid_positions.csv"),
                          ids=lambda r: f"{r['lateral_shift_mm']}mm_{r['yaw_deg']}deg")
-def test_reference_positions(system, row):
-    value = {name: float(text) for name, text in row.items()}
+def test_reference_positions(system, value):
     state = system.evaluate(lateral_shift=value["lateral_shift_mm"] * 1e-3, yaw=np.radians(value["yaw_deg"]))
     assert state.status == 0
     assert state.roll == pytest.approx(value["roll_rad"], abs=ROLL)

@@ -17,36 +17,37 @@ PER_CELL = 8                             # samples of the gap in a cell of the s
 
 def sampled_placements(count, seed, largest_roll):
     """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of
-    the search: tables, inputs, the wheel's place, abscissae, gaps, slope differences and
+    the search: wheel and rail, inputs, the wheel's place, abscissae, gaps, slope differences and
     whether the rail is below, (n,) each."""
     rng = np.random.default_rng(seed)
     tables = layout.Tables.at(tables_of(wrcontact.ContactSystem()))
+    pair = tables.pairs[1]
     work = layout.Work.at(np.zeros(layout.WORK_SIZE))
-    nodes = np.array([tables.scan.nodes[node].y for node in range(tables.scan.count)])
+    nodes = np.array([pair.scan.nodes[node].y for node in range(pair.scan.count)])
     share = np.arange(PER_CELL) / PER_CELL
     y = np.append((nodes[:-1, None] + share * np.diff(nodes)[:, None]).ravel(), nodes[-1])
     place = work.sides[1].place
     for trial in range(count):
         work.inputs.lateral_shift = rng.uniform(-0.01, 0.01)
         work.inputs.yaw = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
-        roll.place_both(tables, tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
-        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, place, where) for where in y]).T
-        below = np.array([on_rail(tables, place, where) for where in y])
-        yield tables, work.inputs, place, y, gaps, mismatches, below
+        roll.place_both(tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
+        gaps, mismatches, _ = np.array([gap.vertical_gap(pair, place, where) for where in y]).T
+        below = np.array([on_rail(pair, place, where) for where in y])
+        yield pair, work.inputs, place, y, gaps, mismatches, below
 
 
 def test_no_cell_of_the_search_holds_more_than_its_bound_says():
     """The certificate of the global minimum, against dense sampling of the gap at random
     placements up to 6 deg."""
     checked = 0
-    for tables, inputs, place, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
+    for pair, inputs, place, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
         for cell in range(len(y) // PER_CELL):
             inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
             if not np.all(below[inside]):
                 continue
             checked += 1
-            abscissa = raster.node_gap(tables, place, cell)[2]
-            least, most = bounds.bend_bounds(tables.scan, place, cell, abscissa)
+            abscissa = raster.node_gap(pair, place, cell)[2]
+            least, most = bounds.bend_bounds(pair.scan, place, cell, abscissa)
             dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
             where = (cell, y[inside][0], inputs.yaw)
             assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
@@ -80,10 +81,10 @@ def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
     """``clear_exponent`` may not clear a stretch in which the sampled gap falls further than allowed; and it
     has to clear most of those far above."""
     checked = cleared = 0
-    for tables, inputs, place, y, gaps, _, below in sampled_placements(16, 22, 0.013):
+    for pair, inputs, place, y, gaps, _, below in sampled_placements(16, 22, 0.013):
         for node in np.flatnonzero(below[::PER_CELL]):
             node = int(node)
-            gap_there, mismatch, abscissa = raster.node_gap(tables, place, node)
+            gap_there, mismatch, abscissa = raster.node_gap(pair, place, node)
             for direction in (1, -1):
                 for exponent in range(layout.EXPONENTS):
                     end = PER_CELL * (node + direction * 2**exponent)
@@ -92,7 +93,7 @@ def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
                     inside = np.arange(PER_CELL * node, end + direction, direction)
                     inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
                     fall = gap_there - gaps[inside].min()
-                    arguments = (tables.scan, place, node, direction, abscissa)
+                    arguments = (pair.scan, place, node, direction, abscissa)
                     where = (inputs.lateral_shift, inputs.yaw, node, direction, exponent)
                     slope = direction * mismatch
                     checked += 1
@@ -130,6 +131,6 @@ def test_smallest_gap_of_rough_profiles(tmp_path):
             assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)
 
 
-def on_rail(tables, place, y):
+def on_rail(pair, place, y):
     """Whether the outline of a placed wheel is above the rail at wheel abscissa ``y`` [m]."""
-    return gap.above_rail(tables, raster.rail_below(tables, place, y)) == 1
+    return gap.above_rail(pair, raster.rail_below(pair, place, y)) == 1

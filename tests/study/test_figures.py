@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
+import data
 from data import brute_force
 from tests.helpers.paths import DATA
 from tests.helpers.source_study import STUDY
@@ -27,11 +28,6 @@ NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in 
 @cache
 def figure(number):
     return compute(number, STUDY)
-
-
-def read_reference(name):
-    with open(DATA / name, newline="", encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def reference_jumps(yaw):
@@ -55,7 +51,7 @@ def at(number, curve, shift):
 def test_roll_and_place_are_those_of_the_brute_force():
     """data/rigid_positions.csv is an independent search over both
     parameters of the wheel's surface."""
-    rows = [row for row in read_reference("rigid_positions.csv") if row["yaw_deg"] == 0]
+    rows = [row for row in data.rows_of(DATA / "rigid_positions.csv") if row["yaw_deg"] == 0]
     assert len(rows) > 5
     for row in rows:
         shift = row["lateral_shift_mm"]
@@ -157,7 +153,7 @@ def test_5_8_roll_on_the_tread_is_smaller_with_yaw_because_the_wheelset_is_narro
 def test_5_9_longitudinal_shift():
     numbers = figure("5.9").numbers
     assert numbers["yaw 1 deg: largest [mm]"] == pytest.approx(22.8, abs=0.2)
-    for row in read_reference("rigid_positions.csv"):
+    for row in data.rows_of(DATA / "rigid_positions.csv"):
         if row["yaw_deg"] in (1, 2, 3) and row["lateral_shift_mm"] >= 0:
             assert at("5.9", f"exact, yaw {row['yaw_deg']:.0f} deg",
                       row["lateral_shift_mm"]) == pytest.approx(

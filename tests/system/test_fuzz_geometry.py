@@ -7,21 +7,11 @@ of Python; ``cut`` in it is tests.helpers.fuzzing.cut.
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, seed, settings
-from hypothesis import strategies as st
 
 from tests.helpers.fuzzing import (
-    FORCES,
-    GAUGES,
     GEOMETRY,
     GUESSES,
-    RADII,
-    RAILS,
-    SHIFTS,
-    YAWS,
     Cut,
-    Poses,
-    Scene,
     batches,
 )
 from tests.helpers.surface_witness import Surfaces, allowance, inclined_stop
@@ -228,30 +218,3 @@ def test_fifty_thousand_poses(part):
 @pytest.mark.parametrize("part", range(40))
 def test_a_million_poses(part):
     check_scenes(25, 1000, 63, first=25 * part, loads=4)
-
-
-def numbers(low, high):
-    return st.floats(low, high, allow_nan=False)
-
-
-@st.composite
-def single_pose(draw):
-    """A scene and one pose in it, which hypothesis shrinks towards the standard ones."""
-    scene = Scene({"wheel": "S1002", "rail": draw(st.sampled_from(RAILS)),
-                   "rail_inclination": draw(st.sampled_from((1 / 40, 1 / 20, 0.0))),
-                   "gauge": draw(st.just(1.435) | numbers(*GAUGES)), "gauge_depth": 0.014,
-                   "nominal_radius": draw(st.just(0.46) | numbers(*RADII)),
-                   "load": draw(st.sampled_from(("normal", "vertical"))),
-                   "normal_model": draw(st.sampled_from(("hertz", "analyn")))})
-    pose = [draw(numbers(*SHIFTS)), draw(numbers(*YAWS)), draw(st.just(0.0) | numbers(*GUESSES)),
-            draw(numbers(*FORCES)), draw(numbers(-1.0, 1.0)), 0.0, 0.0]
-    return scene, Poses(np.array([pose]))
-
-
-@pytest.mark.full
-@seed(64)
-@settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck), database=None)
-@given(single_pose())
-def test_a_pose_of_any_kind(drawn):
-    lines = check_geometry(*drawn) + check_loads(*drawn)
-    assert not lines, "\n".join(lines)

@@ -1,8 +1,7 @@
-"""ContactSystem, its states and steppers: names, shapes, wrong input, threads, memory."""
+"""ContactSystem, its states and steppers: names, shapes, wrong input, memory."""
 
 import math
 import pickle
-import threading
 import warnings
 
 import numpy as np
@@ -145,11 +144,6 @@ def test_compliant_contact_has_its_sentences(arguments, status, words):
     assert state.status == status and all(word in sentence for word in words), sentence
 
 
-def test_nothing_valid_yet_is_nan():
-    state = wrcontact.ContactSystem(rail="54E1").evaluate(lateral_shift=math.nan)
-    assert np.all(np.isnan(state.values)) and state.right.patch_count == 0
-
-
 @pytest.mark.parametrize("arguments, sentence", [
     (dict(wheel="S1003"), "wheel is 'S1003'; permitted are S1002"),
     (dict(rail="S1002"), "rail is 'S1002'"),
@@ -189,22 +183,6 @@ def test_every_parameter_changes_what_it_should(system):
     assert wrcontact.ContactSystem(poisson_ratio=0.0).evaluate(3e-3).right.area > plain.right.area
 
 
-def test_stepper_keeps_the_last_valid_outputs(system):
-    stepper = system.stepper()
-    assert not np.any(stepper.outputs)
-    stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
-    assert stepper.step() == 0
-    kept = stepper.outputs.copy()
-    for wrong in ((1.0, 0, 0, 1e4, 0), (np.nan, 0, 0, 1e4, 0), (0, 0, 0, -1, 0), (0, 0, 0, np.inf, 0),
-                  (1e308, 0, 0, 1, 0)):
-        stepper.inputs[:len(wrong)] = wrong
-        assert stepper.step() in (2, 4)
-        np.testing.assert_array_equal(stepper.outputs, kept)
-    stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
-    assert stepper.step() == 0
-    np.testing.assert_allclose(stepper.outputs, kept, rtol=1e-9, atol=1e-12)
-
-
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
 def test_numbers_from_hell_never_leave_the_statuses(mode):
     rng = np.random.default_rng(13)
@@ -223,21 +201,6 @@ def test_pickled_and_copied_systems_agree(system):
     other = pickle.loads(pickle.dumps(wrcontact.ContactSystem(rail="60E1", gauge=1.437)))
     assert other.parameters["gauge"] == 1.437 and repr(other) == "ContactSystem(rail='60E1', gauge=1.437)"
     assert other.evaluate(1e-3).roll == wrcontact.ContactSystem(rail="60E1", gauge=1.437).evaluate(1e-3).roll
-
-
-def test_threads_share_a_system(system):
-    shift = np.linspace(-6e-3, 6e-3, 200)
-    expected = [system.evaluate(value).roll for value in shift]
-    results = {}
-
-    def work(name):
-        results[name] = [system.evaluate(value).roll for value in shift]
-
-    threads = [threading.Thread(target=work, args=(name,)) for name in range(4)]
-    [thread.start() for thread in threads], [thread.join() for thread in threads]
-    for found in results.values():
-        np.testing.assert_allclose(found, expected, atol=1e-13)
-    assert len(results) == 4
 
 
 @pytest.mark.full

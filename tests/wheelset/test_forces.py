@@ -1,4 +1,4 @@
-"""Forces of patches, wheels and wheelset: their sums, their points, their angles, and one side alone.
+"""Forces of patches, wheels and wheelset: their sums, their points and their angles.
 
 The witnesses are statics, the rail's and the wheel's profiles as tables, Hertz's contact of two cylinders
 across each other, and the wheelset's own resultant.
@@ -126,45 +126,6 @@ def test_a_sliver_that_carries_less_than_nothing_is_no_patch(rail, methods, load
         assert sum(patch.area for patch in side.patches) == pytest.approx(side.area, rel=1e-12)
         np.testing.assert_allclose(sum(vector(patch.force) for patch in side.patches), vector(side.force),
                                    rtol=0, atol=1e-12 * FORCE)
-
-
-@pytest.mark.parametrize("mode", MODES)
-def test_one_side_alone_has_its_force(mode):
-    shift, yaw, transfer = POSES["yawed"]
-    both = stated(mode, "analyn", "normal", shift, yaw, transfer)
-    for name in ("left", "right"):
-        one = stated(mode, "analyn", "normal", shift, yaw, transfer, side=name)
-        for of in ("force", "moment"):
-            np.testing.assert_array_equal(vector(getattr(getattr(one, name), of)),
-                                          vector(getattr(getattr(both, name), of)))
-        other = getattr(one, "right" if name == "left" else "left")
-        assert np.isnan(vector(other.force)).all() and np.isnan(vector(other.moment)).all()
-    geometry = stated(mode, "analyn", "normal", shift, yaw, transfer, outputs="geometry")
-    assert np.isnan(vector(geometry.left.force)).all()
-
-
-def test_an_unloaded_wheel_has_no_force():
-    state = system().evaluate(1e-3, 0.0, FORCE, 1.0)
-    assert not vector(state.left.force).any() and not vector(state.left.moment).any()
-    np.testing.assert_array_equal(vector(state.right.force), vector(state.force))
-
-
-def test_the_mean_normal_of_a_pressed_wheel_is_published():
-    """Elastic contact loads a patch along the mean of the rail's normals over it, not along the one at its
-    contact point: at 1 mm the two differ by more than a third in the lateral force."""
-    state = system(contact_mode="elastic").evaluate(1e-3, 0.0, FORCE)
-    # within the share that the pressures along turned normals cancel
-    by_patches = sum(-sign * patch.normal_force * math.sin(patch.contact_angle)
-                     for sign, side in ((-1, state.left), (1, state.right)) for patch in side.patches)
-    assert by_patches == pytest.approx(state.force.y, rel=1e-3)
-    by_points = sum(-sign * side.normal_force * math.sin(side.contact_angle)
-                    for sign, side in ((-1, state.left), (1, state.right)))
-    assert abs(by_points - state.force.y) > 0.3 * abs(state.force.y)
-    for sign, side in ((-1, state.left), (1, state.right)):
-        for patch in side.patches:
-            slopes = rail_slope_along(side.contact.y_rail,
-                                      patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
-            assert min(slopes) < -math.tan(patch.contact_angle) < max(slopes)
 
 
 @pytest.mark.full

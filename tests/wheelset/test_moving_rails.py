@@ -8,11 +8,8 @@ import pytest
 
 import wrcontact
 from data import brute_force
-from tests.helpers import derivatives
 from tests.helpers.surface_witness import assert_positions
 from wrcontact.interface.inputs import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
-from wrcontact.interface.variables import VARIABLES
-from wrcontact.kernel import layout
 from wrcontact.status import Status
 
 METHODS = {
@@ -97,22 +94,32 @@ def rolled_rail(system, side, roll):
     return inclination, across if side == "right" else -across, CROWN * (math.cos(roll) - 1.0)
 
 
+def over_rolled_rails(pose, given, left_roll=0.006, right_roll=-0.004, **methods):
+    """The state at a pose over rails that are rolled, and that over rails of the inclinations that they have
+    then."""
+    plain = wrcontact.ContactSystem(**methods)
+    found = plain.evaluate(*pose, **given, left_rail_roll=left_roll, right_rail_roll=right_roll)
+    left, right = rolled_rail(plain, "left", left_roll), rolled_rail(plain, "right", right_roll)
+    wanted = wrcontact.ContactSystem(**methods, rail_inclination=(left[0], right[0])).evaluate(
+        *pose, **given, left_rail_lateral=left[1], left_rail_vertical=left[2],
+        right_rail_lateral=right[1], right_rail_vertical=right[2])
+    assert found.status == wanted.status == Status.VALID
+    for side in ("left", "right"):
+        mine, theirs = getattr(found, side), getattr(wanted, side)
+        for part in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track"):
+            assert getattr(mine.contact, part) == pytest.approx(getattr(theirs.contact, part), abs=1e-8), part
+        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=1e-7)
+    return found, wanted
+
+
 @pytest.mark.parametrize("name", ["compliant", "compliant strips",
                                   pytest.param("compliant vertical", marks=pytest.mark.full)])
 @pytest.mark.parametrize("pose", POSES)
 def test_rolling_a_rail_is_another_inclination(name, pose):
     """Of a compliant wheelset, whose height and roll are given, in all it reports in the track."""
     methods = METHODS.get(name) or dict(contact_mode="compliant", load="vertical")
-    plain = wrcontact.ContactSystem(**methods)
-    left_roll, right_roll = 0.006, -0.004
-    rolled = dict(left_rail_roll=left_roll, right_rail_roll=right_roll)
-    given = height_and_roll(*pose, **rolled)
-    found = plain.evaluate(*pose, **given, **rolled)
-    left, right = rolled_rail(plain, "left", left_roll), rolled_rail(plain, "right", right_roll)
-    wanted = wrcontact.ContactSystem(**methods, rail_inclination=(left[0], right[0])).evaluate(
-        *pose, **given, left_rail_lateral=left[1], left_rail_vertical=left[2],
-        right_rail_lateral=right[1], right_rail_vertical=right[2])
-    assert found.status == wanted.status == Status.VALID
+    given = height_and_roll(*pose, left_rail_roll=0.006, right_rail_roll=-0.004)
+    found, wanted = over_rolled_rails(pose, given, **methods)
     for side in ("left", "right"):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         assert mine.normal_force > 1e3
@@ -131,9 +138,6 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
             assert one.y_track == pytest.approx(other.y_track, abs=1e-8)
             assert one.z_track == pytest.approx(other.z_track, abs=1e-8)
             assert one.rolling_radius == pytest.approx(other.rolling_radius, abs=1e-8)
-        for part in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track"):
-            assert getattr(mine.contact, part) == pytest.approx(getattr(theirs.contact, part), abs=1e-8), part
-        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=1e-7)
 
 
 @pytest.mark.parametrize("name", ["rigid hertz", "elastic", pytest.param("elastic strips",
@@ -142,23 +146,11 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
 def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name, pose):
     """Where wheels sink does not hang on the frame in which it was found: the same vertical shift and roll as
     over rails with this inclination."""
-    plain = wrcontact.ContactSystem(**METHODS[name])
-    left_roll, right_roll = 0.006, -0.004
-    found = plain.evaluate(*pose, left_rail_roll=left_roll, right_rail_roll=right_roll)
-    left, right = rolled_rail(plain, "left", left_roll), rolled_rail(plain, "right", right_roll)
-    wanted = wrcontact.ContactSystem(**METHODS[name], rail_inclination=(left[0], right[0])).evaluate(
-        *pose, left_rail_lateral=left[1], left_rail_vertical=left[2],
-        right_rail_lateral=right[1], right_rail_vertical=right[2])
-    assert found.status == wanted.status == Status.VALID
+    found, wanted = over_rolled_rails(pose, {}, **METHODS[name])
     # nodes of patches are traced to 1e-6 m in either frame, which moves heights by its square over radii
     near = 1e-12 if name == "rigid hertz" else 1e-11
     assert found.roll == pytest.approx(wanted.roll, abs=near)
     assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=near)
-    for side in ("left", "right"):
-        mine, theirs = getattr(found, side), getattr(wanted, side)
-        for part in ("x_wheel", "y_wheel", "z_wheel", "x_track", "y_track", "z_track"):
-            assert getattr(mine.contact, part) == pytest.approx(getattr(theirs.contact, part), abs=1e-8), part
-        assert mine.contact_angle == pytest.approx(theirs.contact_angle, abs=1e-7)
 
 
 @pytest.mark.full
@@ -187,27 +179,6 @@ def test_a_rolled_rail_with_yaw_is_that_of_brute_force():
     wanted = brute_force.rigid_contact(rolled, *pose, plain)
     found = wrcontact.ContactSystem().evaluate(*pose, 0.0, right_rail_roll=roll)
     assert_positions(found, wanted)
-
-
-@pytest.mark.parametrize("name", ["rigid hertz", "elastic", "compliant"])
-@pytest.mark.parametrize("moved", [{}, dict(left_rail_roll=0.004, right_rail_roll=-0.006,
-                                            left_rail_lateral=-1e-3, right_rail_vertical=2e-3)])
-def test_derivatives_are_those_of_differences(name, moved):
-    """Of all outputs with respect to all inputs of the rails, at rails that are moved and at rails that begin
-    to move; tests/derivative/test_derivatives.py has the method."""
-    stepper = wrcontact.ContactSystem(**METHODS[name]).stepper()
-    pose = (1.2e-3, 0.011)
-    given = height_and_roll(*pose, **moved) if name == "compliant" else {}
-    row = wrcontact.ContactSystem().evaluate(*pose, 8e4, 0.1, **moved, **given).inputs
-    numbers = [layout.IN_LATERAL_SHIFT, layout.IN_YAW]
-    numbers += [k for k, one in enumerate(VARIABLES[:layout.INPUT_COUNT]) if ".rail_" in one.name]
-    derivatives.assert_near_differences(stepper, row, numbers, 0.6, 3 * derivatives.AGREE)
-
-
-def test_yaw_that_begins_over_a_rolled_rail_has_a_derivative():
-    stepper = wrcontact.ContactSystem(normal_model="hertz").stepper()
-    row = wrcontact.ContactSystem().evaluate(1.2e-3, 0.0, 8e4, right_rail_roll=0.005).inputs
-    derivatives.assert_near_differences(stepper, row, [layout.IN_YAW], 0.6, 3 * derivatives.AGREE)
 
 
 def test_the_step_before_does_not_matter():

@@ -1,56 +1,12 @@
-"""The resultant of the contact forces: the sum of the patches, statics, and an energy."""
+"""The resultant of the contact forces: an energy, lifted wheels, and wheels that come down;
+test_forces.py has its sum over the patches."""
 
-import math
 
 import numpy as np
-import pytest
 
 import wrcontact
 from tests.helpers.cases import FORCE, MODELS, POSES, system
-from tests.helpers.elastic import compliant, elastic, placed_rail, rail_point_along
-from wrcontact.profiles.compiled import evaluate_table
-
-
-def forces_of(state):
-    """Contact forces (n, 3) [N] and the places where they act (n, 3) [m] in the track frame,
-    from the patches' outputs.
-
-    A force acts nearly along the rail's normal at its patch's centroid, which is measured along the rail."""
-    table, rail_y = placed_rail()
-    for sign, side in ((-1, state.left), (1, state.right)):
-        for patch in side.patches:
-            x = rail_point_along(side.contact.y_rail, patch.centroid)
-            height, slope, _ = evaluate_table(table, x)
-            place = (side.contact.x_track, sign * (rail_y + x), height)
-            force = np.array((0.0, sign * slope, -1.0)) / math.hypot(1.0, slope)
-            yield patch.normal_force * force, np.array(place)
-
-
-@pytest.mark.parametrize("mode", ["elastic", "rigid"])
-@pytest.mark.parametrize("case", [case for case in POSES if case != "conformal"])
-def test_resultant_is_the_sum_of_the_patches(case, mode):
-    shift, yaw, transfer = POSES[case]
-    state = system(contact_mode=mode).evaluate(shift, yaw, FORCE, transfer)
-    forces, places = map(np.array, zip(*forces_of(state)))
-    got = np.array([[getattr(of, axis) for axis in "xyz"] for of in (state.force, state.moment)])
-    # the mean of the normals is not quite the normal at the centroid, least on the tread with its 17 mm of
-    # patch (6e-3)
-    np.testing.assert_allclose(got[0], forces.sum(axis=0), atol=7e-3 * FORCE)
-    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
-    moment = np.cross(places - centre, forces).sum(axis=0)
-    # levers of half a metre; a yawed second patch is up to 17 mm ahead of the contact point: times
-    # its share of the load 7 mm
-    assert abs(got[1] - moment)[0] < 4e-3 * FORCE
-    assert np.all(abs(got[1] - moment)[1:] < (7e-3 * FORCE if yaw else 1e-12))
-
-
-def test_resultant_of_a_centred_wheelset_is_its_weight():
-    for mode in ("elastic", "rigid"):
-        state = system(contact_mode=mode).evaluate()
-        forces, _ = map(np.array, zip(*forces_of(state)))
-        assert state.force.z == pytest.approx(forces.sum(axis=0)[2], rel=5e-4)
-        assert abs(state.force.y) < 1e-5 and abs(state.moment.x) < 1e-5    # [N, N m]
-        assert state.force.x == state.moment.y == state.moment.z == 0.0
+from tests.helpers.elastic import compliant, elastic
 
 
 def test_forces_nearly_come_from_a_potential():

@@ -270,15 +270,6 @@ def test_a_step_that_fails_keeps_what_was_wanted_before():
     np.testing.assert_array_equal(stepper.outputs, kept)
 
 
-def test_unwanted_is_nan_in_the_state():
-    state = system_of("analyn_strip").evaluate(1e-3, side="right", outputs="geometry")
-    assert np.isfinite(state.roll) and np.isnan(state.left.contact_angle) and np.isnan(state.right.area)
-    assert state.right.patch_count == 0 and state.right.patches == () and np.isfinite(state.right.curvature_y)
-    table = system_of("analyn_strip").evaluate_many([0.0, 1e-3], side="left", outputs="patches")
-    assert np.all(np.isfinite(table.left.area)) and np.all(np.isnan(table.right.area))
-    assert np.all(np.isnan(table.left.outline.pressure))
-
-
 # --- budgets ------------------------------------------------------------------------------------------------
 
 

@@ -9,7 +9,7 @@ import pytest
 
 import wrcontact
 from data import brute_force
-from tests.helpers import derivatives
+from tests.helpers.inside import tables_of
 from tests.helpers.mirror import side_signs
 from tests.helpers.surface_witness import assert_positions
 from wrcontact.interface.inputs import RAILS
@@ -120,10 +120,25 @@ def test_in_the_mirror_left_and_right_change_places(sides, methods, moved):
 def test_equal_sides_are_one(sides):
     """However they are said, with the same bits."""
     system, plain = wrcontact.ContactSystem(**sides), wrcontact.ContactSystem()
-    stepper = system.stepper()
-    assert system.equal_sides and stepper.left_tables is stepper.tables
+    assert system.equal_sides and len(tables_of(system)) == len(tables_of(plain))
     found, wanted = (one.evaluate(3e-3, 0.01, 9e4, 0.1) for one in (system, plain))
     assert np.array_equal(found.values, wanted.values)
+
+
+@pytest.mark.parametrize("name, value, shared", [
+    ("left_nominal_radius", 0.459, ("rail", "rail_curvature", "rail_arc", "rail_at_arc")),
+    ("left_rail_inclination", 1 / 20, ("wheel", "wheel_curvature")),
+    ("left_rail", "54E1", ("wheel", "wheel_curvature")),
+])
+def test_what_is_equal_is_prepared_once(name, value, shared):
+    """Only the left wheel or the left rail differs: the other one's tables are those of the right side."""
+    system = wrcontact.ContactSystem(**{name: value})
+    left, right = layout.Tables.at(tables_of(system)).pairs
+    parts = ("wheel", "wheel_curvature", "rail", "rail_curvature", "rail_arc", "rail_at_arc", "scan")
+    same = tuple(part for part in parts
+                 if layout.offset(getattr(left, part), tables_of(system))
+                 == layout.offset(getattr(right, part), tables_of(system)))
+    assert same == shared and not system.equal_sides
 
 
 def test_one_side_alone_does_not_see_the_other():
@@ -194,17 +209,6 @@ def test_forces_balance_about_the_centre():
             total += np.cross(arm, [patch.force.x, patch.force.y, patch.force.z])
     moment = np.array([state.moment.x, state.moment.y, state.moment.z])
     assert moment == pytest.approx(total, rel=1e-9, abs=1e-6)                                   # [N m]
-
-
-@pytest.mark.parametrize("methods", ["rigid hertz", "elastic", "compliant"])
-def test_derivatives_are_those_of_differences(methods):
-    """At one pose, for all outputs and inputs: tests/derivative/test_derivatives.py has the method."""
-    chosen = METHODS[methods]
-    stepper = wrcontact.ContactSystem(**SIDES["all"], **chosen).stepper()
-    compliant = chosen.get("contact_mode") == "compliant"
-    for row in rows(SIDES["all"], chosen.get("contact_mode"), count=2):
-        derivatives.assert_near_differences(
-            stepper, row, derivatives.COMPLIANT_INPUTS if compliant else derivatives.INPUTS, 0.8)
 
 
 def test_the_half_space_sees_both_sides():

@@ -36,8 +36,8 @@ def creep_forces(patch, creepage_x=0.0, creepage_y=0.0, spin=0.0, friction=0.3, 
     spin : rate of turning of the wheel against the rail about the normal, over the rolling speed [1/m];
         x forward, y to the field side and the normal are right-handed.
     friction : coefficient of friction [-].
-    tangential_model : "strips", "fastsim", "fastrip", "polach", "halfspace", or one of these methods with
-        its numbers, such as ``wrcontact.Fastsim(published_spin=1)``.
+    tangential_model : "strips" or another one of :class:`~wrcontact.ContactSystem`, or a method with its
+        numbers, such as ``wrcontact.Fastsim(published_spin=1)``.
 
     Returns
     -------

@@ -22,7 +22,6 @@ from ..interface.variables import (
 from ..kernel import layout
 from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.setup import PLACES, setup_of
-from ..kernel.prepare import tables as prepare_tables
 from ..kernel.prepare.scan import FINE_STEP
 from ..methods import NUMBERS, family_of
 from ..methods.numbers import unit_behind
@@ -57,8 +56,8 @@ def sizes_header(blocks):
         "KEPT": int(Status.OFF_PROFILE),
         "FIXED_SIZE": len(fixed_tables()),
         "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
-        "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
-        "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
+        "MEMORY": layout.STATE_SIZE, "KNOWN": layout.Work.outputs.offset // 8, "WORK": layout.WORK_SIZE,
+        "SETUP": layout.SETUP_SIZE,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]

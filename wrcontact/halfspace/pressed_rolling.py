@@ -75,17 +75,17 @@ class KernelRolling:
 
     Parameters
     ----------
-    sides : tables of the left and the right side.
+    tables : of the kernel.
     workspace : whose patch by itself is used.
     """
 
-    def __init__(self, sides, workspace):
-        self._sides, self._workspace = sides, workspace
+    def __init__(self, tables, workspace):
+        self._tables, self._workspace = tables, workspace
 
     def __call__(self, side, index, patch, motion):
         work = layout.Work.at(self._workspace)
         work.patch = patch
-        default_kernel().solve_creep_force(self._sides[index], self._workspace)
+        default_kernel().solve_creep_force(self._tables, self._workspace)
         ctypes.pointer(patch)[0] = work.patch
 
 

@@ -32,12 +32,13 @@ class Solver:
 
     def _is_known(self):
         """Whether the inputs are those of the last answer, and nothing else has changed."""
-        return (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
-                and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
+        work = layout.Work.at(self._workspace)
+        return self._answer is not None and work.known and np.array_equal(work.inputs.numbers(), self._inputs)
 
     def _keep_answer(self):
         """Write the outputs in the workspace to those of the step, and keep them."""
-        self._answer = self._workspace[layout.WORK_OUTPUTS:][:len(self._outputs)].copy()
+        first = layout.Work.outputs.offset // 8
+        self._answer = self._workspace[first:][:len(self._outputs)].copy()
         self._outputs[:] = self._answer
 
     def step_many(self, count, inputs, outputs, statuses):
@@ -59,12 +60,11 @@ class RollingSolver(Solver):
     tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
     """
 
-    def __init__(self, poisson_ratio, tables, state, workspace, inputs, outputs, left=None):
-        self._material = {"shear_modulus": layout.Tables.at(tables).shear_modulus,
-                          "poisson_ratio": poisson_ratio}
-        self._sides = [layout.Tables.at(each) for each in (tables if left is None else left, tables)]
+    def __init__(self, poisson_ratio, tables, state, workspace, inputs, outputs):
+        self._tables = layout.Tables.at(tables)
+        self._material = {"shear_modulus": self._tables.shear_modulus, "poisson_ratio": poisson_ratio}
         self._workspace, self._inputs, self._outputs = workspace, inputs, outputs
-        self._kernel = default_kernel().bind(tables, state, workspace, inputs, outputs, left)
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, outputs)
         self.compiled = self._kernel.compiled
 
     def step(self):
@@ -74,29 +74,28 @@ class RollingSolver(Solver):
         if status <= Status.UNLOADED:
             work = layout.Work.at(self._workspace)
             try:
-                if not known and has_creep_forces(self._sides[1], work):
-                    rub_patches(self._sides, work, lambda index, patch: roll_strips(patch, **self._material))
-                    report_forces(self._sides[1], work)
+                if not known and has_creep_forces(self._tables, work):
+                    rub_patches(self._tables, work, lambda index, patch: roll_strips(patch, **self._material))
+                    report_forces(self._tables, work)
             except ArithmeticError:
-                self._workspace[layout.WORK_KNOWN] = 0.0
+                work.known = False
                 self._outputs[:], self._answer = before, None
                 return int(Status.NOT_CONVERGED)
             self._keep_answer()
         return status
 
 
-def rub_patches(sides, work, find):
+def rub_patches(tables, work, find):
     """Creep forces of all patches in the workspace, as
     :func:`~wrcontact.kernel.wheelset.rubbing.rub_patches` finds them.
 
     Parameters
     ----------
-    sides : records Tables of the left and the right side.
+    tables : record Tables.
     work : record Work.
     find : called with a side's index and a record Patch, into which it writes what it finds.
     """
-    for index, tables in enumerate(sides):
-        side = work.sides[index]
+    for index, side in enumerate(work.sides):
         friction = work.inputs.right_friction if index else work.inputs.left_friction
         for patch in side.patches[:side.patch_count]:
             if patch.speed > STANDSTILL:

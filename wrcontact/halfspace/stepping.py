@@ -48,18 +48,17 @@ class HalfspaceSolver(Solver):
     tolerance : permitted relative error, as for :func:`~wrcontact.halfspace.contact.solve_contact`.
     poisson_ratio : of wheel and rail, for creep forces by the complete theory; None: those by the kernel's
         model, if the tables have one.
-    tables, state, workspace, inputs, outputs, left : arrays as for the kernel, used where they are.
+    tables, state, workspace, inputs, outputs : arrays as for the kernel, used where they are.
     """
 
-    def __init__(self, tolerance, poisson_ratio, tables, state, workspace, inputs, outputs, left=None):
-        self.tolerance, self._tables, self._state, self._workspace = tolerance, tables, state, workspace
-        self._sides = tables if left is None else left, tables
-        self._tables_of = [layout.Tables.at(each) for each in self._sides]
+    def __init__(self, tolerance, poisson_ratio, tables, state, workspace, inputs, outputs):
+        self.tolerance, self._array, self._state, self._workspace = tolerance, tables, state, workspace
+        self._tables = layout.Tables.at(tables)
         self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
-        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry, left)
+        self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry)
         self.compiled = self._kernel.compiled
-        self._creep = (KernelRolling(self._sides, workspace) if poisson_ratio is None else
-                       CompleteRolling(layout.Tables.at(tables).shear_modulus, poisson_ratio))
+        self._creep = (KernelRolling(tables, workspace) if poisson_ratio is None else
+                       CompleteRolling(self._tables.shear_modulus, poisson_ratio))
         self._pressed = self._status = None
 
     @property
@@ -73,7 +72,7 @@ class HalfspaceSolver(Solver):
             return self._status
         self._answer = None
         self._refuse_rolled_rails()
-        self._workspace[layout.WORK_KNOWN] = 0.0
+        self._work.known = False
         status = self._kernel.step()
         if status > Status.UNLOADED:
             return status
@@ -88,22 +87,22 @@ class HalfspaceSolver(Solver):
 
     @property
     def _settings(self):
-        return Settings(self._tables[layout.SET_CONTACT_MODULUS], 0.0,
-                        self._tables[layout.SET_LOAD] == layout.LOAD_VERTICAL, self.tolerance)
+        return Settings(self._tables.contact_modulus, 0.0, self._tables.load == layout.LOAD_VERTICAL,
+                        self.tolerance)
 
     def _solve(self, status):
         """The patches of a wheelset whose geometry the kernel has found, and all outputs, in the workspace;
         the status."""
-        work, right = self._work, self._tables_of[1]
+        work, tables = self._work, self._tables
         wheels = [partial(self._pressed_side, index) for index in range(2)]
-        if right.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
+        if tables.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
             wheels, status = self._balanced()
         solved = [self._press(index, wheels[index])
                   for index in tracked(range(2), "half-space of one pose", alone=True)]
-        move_patches(*self._tables_of, work)
-        if has_creep_forces(right, work):
-            rub_patches(self._tables_of, work, partial(self._rub, solved))
-        report_forces(right, work)
+        move_patches(tables, work)
+        if has_creep_forces(tables, work):
+            rub_patches(tables, work, partial(self._rub, solved))
+        report_forces(tables, work)
         return status
 
     def _rub(self, solved, index, patch):
@@ -116,7 +115,7 @@ class HalfspaceSolver(Solver):
     def _press(self, index, wheel):
         """Fill a side's patches with those of its pressed wheel; the :class:`SolvedSide`, None for a wheel
         without load, and for one that is not wanted, whose forces are not numbers."""
-        tables, side = self._tables_of[index], self._work.sides[index]
+        tables, side = self._tables, self._work.sides[index]
         if side.patch_count == 0:
             return None
         wanted = is_requested(tables, index) and tables.depth != layout.DEPTH_GEOMETRY
@@ -137,7 +136,7 @@ class HalfspaceSolver(Solver):
 
     def _pair(self, index, roll, height):
         """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
-        return wheel_on_rail(self._sides[index], index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
+        return wheel_on_rail(self._array, index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
                              yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
                              rail=self._moved(index))
 
@@ -171,11 +170,11 @@ class HalfspaceSolver(Solver):
         pair = self._pair(index, work.wheelset.roll, work.wheelset.vertical_shift)
         steep = math.cos(point.contact_angle)
         depth = side.penetration / steep
-        if self._tables[layout.SET_MODE] == layout.MODE_COMPLIANT:
+        if self._tables.mode == layout.MODE_COMPLIANT:
             return press(pair.lowered(-depth), self._settings, penetration=depth)
         # the kernel's contact is one to its tolerance
         apart = pair.distance(point.x_track, *self._contact(index), point.contact_angle)
-        prescribed = self._tables[layout.SET_PENETRATION_LEFT + index]
+        prescribed = self._tables.penetration[index]
         load = ({"penetration": prescribed / steep} if math.isfinite(prescribed)
                 else {"force": self._force(index), "estimate": depth})
         return press(pair.lowered(apart / steep), self._settings, **load)
@@ -184,7 +183,7 @@ class HalfspaceSolver(Solver):
         """Functions that return both pressed wheels of an elastic wheelset, which the workspace then
         describes, and its status."""
         roll, height = self._work.wheelset.roll, self._work.wheelset.vertical_shift
-        settings, arm = self._settings, self._tables[layout.SET_ARM]
+        settings, arm = self._settings, self._tables.arm
         heights = {0: height, 1: height}
 
         def stand(index, roll, tolerance, last):
@@ -205,21 +204,18 @@ class HalfspaceSolver(Solver):
         """Let the kernel's workspace be that of a wheelset with this roll [rad] and vertical shift [m]; its
         status."""
         if self._pressed is None:
-            tables = self._tables.copy()
-            left = tables if self._sides[0] is self._tables else self._sides[0].copy()
-            arrays = (tables, np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
-                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs), left)
-            for each in (tables, left):
-                each[layout.SET_MODE] = layout.MODE_COMPLIANT
+            arrays = (self._array.copy(), np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
+                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs))
             self._pressed = default_kernel().bind(*arrays), *arrays
-        kernel, tables, _, workspace, inputs, _, left = self._pressed
-        for place in (layout.SET_SIDES, layout.SET_DEPTH):
-            tables[place] = left[place] = self._tables[place]
-        workspace[layout.WORK_KNOWN] = 0.0
+        kernel, array, _, workspace, inputs, _ = self._pressed
+        tables = layout.Tables.at(array)
+        tables.mode = layout.MODE_COMPLIANT
+        tables.sides, tables.depth = self._tables.sides, self._tables.depth
+        pressed = layout.Work.at(workspace)
+        pressed.known = False
         inputs[:] = self._inputs
         inputs[layout.IN_ROLL], inputs[layout.IN_VERTICAL_SHIFT] = roll, height
         status = kernel.step()
-        pressed = layout.Work.at(workspace)
         self._work.sides, self._work.wheelset = pressed.sides, pressed.wheelset
         return status
 
@@ -230,7 +226,7 @@ def shared_parts(tables, solver, rows, places, processes):
 
     Parameters
     ----------
-    tables : of a stepper's right and left side, with what is wanted and prescribed.
+    tables : of a stepper, with what is wanted and prescribed.
     solver : arguments of :func:`~wrcontact.halfspace.stepping.halfspace_solver`.
     places : of the wanted outputs, None for all.
 
@@ -242,9 +238,8 @@ def shared_parts(tables, solver, rows, places, processes):
     parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
     with TemporaryDirectory() as folder:
         # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
-        path = Path(folder, "tables.npz")
-        right, left = tables
-        np.savez(path, right=right, **({} if left is right else {"left": left}))
+        path = Path(folder, "tables.npy")
+        np.save(path, tables)
         pool = ProcessPoolExecutor(min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin,
                                    (path, solver, places))
         try:
@@ -260,8 +255,7 @@ def shared_parts(tables, solver, rows, places, processes):
 
 def _begin(path, solver, places):
     global _worker
-    with np.load(path) as tables:
-        _worker = Stepper(tables["right"], halfspace_solver(*solver), tables.get("left")), places
+    _worker = Stepper(np.load(path), halfspace_solver(*solver)), places
 
 
 def _evaluated(rows):

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..conventions import MIRROR
 from ..kernel import layout
+from ..kernel.binding.setup import profile_tables
 from ..profiles.compiled import ends, evaluate_table, places
 
 NEWTON_LIMIT = 15
@@ -140,19 +141,19 @@ class WheelOnRail:
 def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift, rail=(0.0, 0.0)):
     """The wheel of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of the half-space.
 
-    ``tables`` are those of the kernel for this side; lengths in m, angles in rad.  A ``rail`` that is
+    ``tables`` are those of the kernel; lengths in m, angles in rad.  A ``rail`` that is
     displaced (to the right, down) counts as a wheelset that is displaced the other way.
     """
     lateral_shift -= rail[0]
     if index == 0:
         lateral_shift, yaw, roll = (sign * value
                                     for sign, value in zip(MIRROR, (lateral_shift, yaw, roll)))
-    height = tables[layout.SET_HEIGHT] + rail[1]
+    head = layout.Tables.at(tables)
+    height = head.height + rail[1]
+    wheel, table, rail_y = profile_tables(tables, index)
     return WheelOnRail(
-        wheel=tables[int(tables[layout.SET_WHEEL]):int(tables[layout.SET_RAIL])],
-        rail=tables[int(tables[layout.SET_RAIL]):int(tables[layout.SET_SCAN])],
-        radius=tables[layout.SET_RADIUS], height=height, arm=tables[layout.SET_ARM],
-        rail_y=tables[layout.SET_RAIL_Y], centre=np.array([0.0, lateral_shift, vertical_shift - height]),
+        wheel=wheel, rail=table, radius=head.pairs[index].radius, height=height, arm=head.arm,
+        rail_y=rail_y, centre=np.array([0.0, lateral_shift, vertical_shift - height]),
         attitude=_attitude(yaw, roll))
 
 

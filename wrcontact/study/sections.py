@@ -8,7 +8,8 @@ what lies between two nodes of a pair is the separation::
     same arc length    distance of the pair                             Section.equidistant (arcs, or chords)
     same station       distance along the contact normal, as the kernel Section.normal
 
-Plain numpy on the profiles' own formulas: nothing of the kernel but the rigid pose.
+Plain numpy on the profiles' own formulas: nothing of the kernel but the rigid pose and the table of elliptic
+integrals.
 
 ANALYN is source eqs. (2.19)-(2.26): one lateral curvature for everything, nodes at fixed distances, one
 patch. With E* of its eq. (2.9) the factor of eq. (2.25) must be 2 E*/pi; with
@@ -30,8 +31,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
 from scipy.optimize import brentq
-from scipy.special import ellipe, ellipk, ellipkm1
 
+from ..kernel.binding.fixed_tables import coefficients
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Points of a profile between which abscissae are interpolated, 0.01 mm apart on a rail head,
@@ -262,29 +263,9 @@ def circle_curvature(curve, t, reach, count=31):
 
 RANGE = 14.0    # of |ln(B/A)|
 DEEPEST = 2e-3  # largest penetration [m]
-
-
-def _hertz(q):
-    """ln(B/A), 1 + alpha and n r for an ellipse with semi-axes b = q a, q <= 1; source eqs.
-    (2.6)-(2.11), (2.21)."""
-    m1 = q * q                                  # complementary parameter
-    K, E = ellipkm1(m1), ellipe(1 - m1)
-    small_over_large = (K - E) / (E / m1 - K)   # A / B
-    return -np.log(small_over_large), K * q * q / E * (1 + 1 / small_over_large), 2 / np.pi * K * q
-
-
-def _spline():
-    """1 + alpha and n r as splines over ln(B/A), from both halves of the table."""
-    q = np.exp(-np.linspace(0.0, 10.5, 1200)[1:])
-    ratio, one_alpha, nr = _hertz(q)
-    K, E = ellipkm1(q * q), ellipe(1 - q * q)
-    mirrored = K / E * (1 + np.exp(-ratio))     # B < A: the patch is longer across
-    x = np.concatenate([-ratio[::-1], [0.0], ratio])
-    return (CubicSpline(x, np.concatenate([mirrored[::-1], [2.0], one_alpha])),
-            CubicSpline(x, np.concatenate([(nr / q)[::-1], [2 / np.pi * ellipk(0.0)], nr])))
-
-
-_ONE_ALPHA, _NR = _spline()
+#: 1 + alpha and n r of source eqs. (2.6)-(2.11), (2.21) over ln(B/A).
+LOG_RATIO = np.linspace(-RANGE, RANGE, 2801)
+ONE_ALPHA, NR = (CubicSpline(LOG_RATIO, column) for column in coefficients(LOG_RATIO))
 
 
 @dataclass(frozen=True)
@@ -372,10 +353,10 @@ def solve_analyn(station, gap, A, B, *, force, modulus, correction=None):
         with np.errstate(invalid="ignore"):
             ratio = np.clip(np.log(used / A), -RANGE, RANGE)
             # (2.26), 1 + beta by symmetry
-            d = depth - _ONE_ALPHA(-ratio) * gap
+            d = depth - ONE_ALPHA(-ratio) * gap
             d = np.where(d > 0, d, 0.0)                                           # NaN > 0 is False
-            a = np.nan_to_num(np.sqrt(d / (_ONE_ALPHA(ratio) * A)))               # (2.23)
-            line = np.nan_to_num(modulus * d / _NR(ratio))                        # pi/2 a p0, (2.24), (2.25)
+            a = np.nan_to_num(np.sqrt(d / (ONE_ALPHA(ratio) * A)))               # (2.23)
+            line = np.nan_to_num(modulus * d / NR(ratio))                        # pi/2 a p0, (2.24), (2.25)
         return used, a, line
 
     def missing(depth):

@@ -69,18 +69,6 @@ def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
     assert answer_of(linked_host(version), "threads", 8, rows_file) == {"equal": 8, "variants": 8, "wrong": 0}
 
 
-@needs_glibc
-def test_a_random_walk_repeats_itself_and_resumes(linked_host):
-    """A little of test_long_runs.py: the same bits by FMI 2.0, by FMI 3.0, and from saved
-    states at random times."""
-    walks = [answer_of(linked_host(version), way, 7, 4_000, 0)[0] for version in (2, 3)
-             for way in ("walk", "resumed")]
-    assert [walk["bad"] for walk in walks] == [0] * 4 and walks[1]["partings"] > 4 and walks[0]["jumps"] > 100
-    assert len({walk["digest"] for walk in walks}) == 1
-    threads = answer_of(linked_host(2), "walks", 7, 4_000, 2)
-    assert threads[0]["digest"] == walks[0]["digest"] != threads[1]["digest"]
-
-
 @pytest.mark.full
 @needs_race_detector
 @pytest.mark.parametrize("version", (2, 3))

@@ -7,10 +7,8 @@ import numpy as np
 import pytest
 
 from tests.helpers.fmus import needs_compiler
-from tests.helpers.mirror import side_signs
 from tests.helpers.paths import ROOT
 from wrcontact.fmu import native
-from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 
 pytestmark = needs_compiler
 EXAMPLE = runpy.run_path(str(ROOT / "examples" / "irregular_track.py"))
@@ -121,59 +119,3 @@ def test_long_waves_are_followed(ride):
     # what its shift by 2 mm adds on cones of 1:40 and hollow wheels, and the rails' roll
     for found, wanted in ((place[:, 1], down), (place[:, 2], turned)):
         assert np.abs(found - wanted - (found - wanted).mean()).max() < 0.08 * np.ptp(wanted)
-
-
-#: Inputs that keep their sign in the mirror; the others are across the track, or turn about x or z.
-KEPT = ("speed", "vertical_shift_input", "vertical_velocity", "rail_vertical", "rail_vertical_velocity")
-ACROSS = ("lateral_shift", "yaw", "vertical_shift_input", "roll_input", "lateral_velocity", "yaw_rate",
-          "vertical_velocity", "roll_rate", "speed")
-
-
-def exchanged(name):
-    """The same of the other side."""
-    side, dot, rest = name.partition(".")
-    return f"{SIDES[1 - SIDES.index(side)]}.{rest}" if side in SIDES else name
-
-
-def run_over(archive, rows, outputs, **parameters):
-    """Outputs (n, m) at rows of inputs."""
-    slave, reference = EXAMPLE["instance"](archive, **parameters)
-    seen = []
-    for k, row in enumerate(rows):
-        slave.setReal([reference[name] for name in row], list(row.values()))
-        slave.doStep(k * STEP, STEP)
-        assert slave.getInteger([reference["status"]]) == [0]
-        seen.append(slave.getReal([reference[name] for name in outputs]))
-    slave.terminate()
-    slave.freeInstance()
-    return np.array(seen)
-
-
-@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
-def test_with_left_and_right_exchanged_it_is_the_mirror_image(archive, ride, mode):
-    """The wheels change sides, and so do the rails with their motion: every output is the other side's."""
-    _, rails, place, velocity, _ = ride
-    moving = EXAMPLE["moving_rails"](ride[0])[1]
-    every = slice(0, None, 150)
-    names = [*ACROSS, *EXAMPLE["RAILS"], *(f"{name}_velocity" for name in EXAMPLE["RAILS"])]
-    yaw = 5e-3 * np.sin(20.0 * ride[0])
-    columns = [place[:, 0], yaw, place[:, 1], place[:, 2], velocity[:, 0], 0.1 * np.cos(20.0 * ride[0]),
-               velocity[:, 1], velocity[:, 2], 25.0 + 0.0 * yaw, *rails.T, *moving.T]
-    rows = [dict(zip(names, values)) for values in np.transpose(columns)[every].tolist()]
-    mirrored = [{exchanged(name): value if name.partition(".")[2] in KEPT or name in KEPT else -value
-                 for name, value in row.items()} for row in rows]
-    outputs = [v for v in VARIABLES if v.name.startswith("right.") and v.causality == OUTPUT]
-    real = [v.type == REAL for v in outputs]
-    rights = [v.name for v, kept in zip(outputs, real) if kept]
-    lefts = [exchanged(name) for name in rights]
-    wheels = {"left_wheel_profile": "left.csv", "wheel_profile": "right.csv"}
-    here = run_over(archive, rows, rights + lefts, contact_mode=mode, **wheels)
-    wheels = {"left_wheel_profile": "right.csv", "wheel_profile": "left.csv"}
-    there = run_over(archive, mirrored, lefts + rights, contact_mode=mode, **wheels)
-    signs = np.tile(side_signs()[real], 2)
-    # rigid rolls are found to 1e-14 rad, elastic heights to 1e-13 m, of penetrations of 50 um; places and
-    # angles of 1e-12 count as zero
-    near = 0.0 if mode == "compliant" else 1e-8
-    assert (np.abs(here - signs * there) <= near * (np.abs(here).max(axis=0) + 1e-4)).all()
-    left, right = (here[:, (rights + lefts).index(f"{side}.area")] for side in SIDES)
-    assert np.abs(left / right - 1).max() > 0.1

@@ -7,7 +7,7 @@ p = -g s/|s|.  With any c > 0 this is one equation, p = P(p - c s), where P cuts
 """
 
 import numpy as np
-from scipy.linalg import solve_triangular
+from scipy.sparse.linalg import LinearOperator, gmres
 
 DIMENSION_LIMIT = 120
 #: Largest |p - P(p - c s)| over the largest bound at which a solution stands.
@@ -16,46 +16,6 @@ STEP_LIMIT = 60
 SHORTEST_STEP = 0.1
 #: Relative residual to which the linear equations of a step are solved.
 LINEAR_PRECISION = 3e-3
-
-
-def gmres(multiply, right, precondition, precision):
-    """x (n,) with |A x - b| <= precision |b|, or the best within DIMENSION_LIMIT vectors.
-
-    Parameters
-    ----------
-    multiply : A, called with a vector (n,).
-    right : b (n,).
-    precondition : roughly the inverse of A, called with a vector (n,).
-    precision : relative residual at which to stop.
-    """
-    norm = np.linalg.norm(right)
-    basis = np.empty((DIMENSION_LIMIT + 1, len(right)))
-    basis[0] = right / norm
-    factor = np.zeros((DIMENSION_LIMIT + 1, DIMENSION_LIMIT))
-    turns = np.zeros((DIMENSION_LIMIT, 2))
-    rest = np.zeros(DIMENSION_LIMIT + 1)
-    rest[0] = norm
-    for k in range(DIMENSION_LIMIT):
-        vector = multiply(precondition(basis[k]))
-        known = basis[:k + 1]
-        column = known @ vector
-        vector -= column @ known
-        again = known @ vector          # a second time, against rounding
-        vector -= again @ known
-        length = np.linalg.norm(vector)
-        column = np.append(column + again, length)
-        for j, (c, s) in enumerate(turns[:k]):
-            column[j], column[j + 1] = c * column[j] + s * column[j + 1], c * column[j + 1] - s * column[j]
-        radius = np.hypot(column[k], column[k + 1])
-        c, s = turns[k] = column[k] / radius, column[k + 1] / radius
-        column[k], column[k + 1] = radius, 0.0
-        factor[:k + 2, k] = column
-        rest[k], rest[k + 1] = c * rest[k], -s * rest[k]
-        if abs(rest[k + 1]) <= precision * norm or length == 0.0:
-            break
-        basis[k + 1] = vector / length
-    weights = solve_triangular(factor[:k + 1, :k + 1], rest[:k + 1])
-    return precondition(weights @ basis[:k + 1])
 
 
 class Friction:
@@ -99,7 +59,8 @@ def row_inverses(friction, influence, scale):
 
 
 def newton_step(friction, influence, scale):
-    """Change of the tractions (2, ny, nx) that makes the linearised friction equation zero."""
+    """Change of the tractions (2, ny, nx) that makes the linearised friction equation zero, or the best of
+    DIMENSION_LIMIT vectors.  Preconditioned from the right, so that the residual is that of the equation."""
     rows, columns = influence.shape
     inverses = row_inverses(friction, influence, scale)
 
@@ -112,8 +73,11 @@ def newton_step(friction, influence, scale):
         change = vector.reshape(2, rows, columns)
         return (change - friction.cut(change - scale * influence(change))).ravel()
 
-    step = gmres(derivative, -friction.residual.ravel(), precondition, LINEAR_PRECISION)
-    return step.reshape(2, rows, columns)
+    size = friction.residual.size
+    operator = LinearOperator((size, size), lambda vector: derivative(precondition(vector)), dtype=float)
+    found, _ = gmres(operator, -friction.residual.ravel(), rtol=LINEAR_PRECISION, atol=0.0,
+                     restart=DIMENSION_LIMIT, maxiter=1)
+    return precondition(found).reshape(2, rows, columns)
 
 
 def solve_friction(influence, rigid_slip, bound, start):

@@ -30,7 +30,7 @@ from .. import layout
 from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE,
                       WORK_SIZE, Inputs, Setup, State, Tables, Work)
 from ..patch.outline import row_size
-from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
+from ..prepare.pieces import FULL
 
 #: How many numbers the tables get room for at first, and at most.
 TABLE_ROOM, MOST_ROOM = 100_000, 10_000_000
@@ -71,50 +71,41 @@ class Kernel:
     def compiled(self):
         return self.library is not None
 
-    def bind(self, tables, state, workspace, inputs, outputs, left=None):
-        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are.
-        ``tables`` are those of the right side, ``left`` those of the left one; None is the same."""
+    def bind(self, tables, state, workspace, inputs, outputs):
+        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
         tables = checked("tables", tables, SETTING_COUNT)
-        left = tables if left is None else checked("left", left, SETTING_COUNT)
-        arrays = (left, tables, checked("state", state, STATE_SIZE, written=True),
+        arrays = (tables, checked("state", state, STATE_SIZE, written=True),
                   checked("workspace", workspace, WORK_SIZE, written=True),
                   checked("inputs", inputs, INPUT_COUNT),
                   checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
-    def prepare(self, setup, wheel, rail, fixed):
-        """Outcome, tables and report of prepare/tables.py for one side and these arrays: a setup, two
-        definitions, the fixed tables.  :meth:`complete` has to follow."""
-        given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
-                                                          ("fixed", fixed))]
-        outcome, room = TABLES_FULL, TABLE_ROOM
-        while outcome == TABLES_FULL and room <= MOST_ROOM:
-            tables, report = np.zeros(room), np.zeros(REPORT_COUNT)
-            work = np.zeros(max(WORK_SIZE + 4 * OUTPUT_COUNT, len(wheel) + len(rail) + room + 1000))
-            outcome = self._prepare([*given, tables, work, report])
+    def prepare(self, setup, wheel, rail, left_wheel, left_rail, fixed):
+        """Outcome and tables of prepare/tables.py for these arrays: a setup, the definitions of both sides'
+        profiles, the fixed tables."""
+        given = [checked(name, array) for name, array in (
+            ("setup", setup), ("wheel", wheel), ("rail", rail), ("left_wheel", left_wheel),
+            ("left_rail", left_rail), ("fixed", fixed))]
+        longest = max(map(len, given[1:5]))
+        outcome, room = FULL, TABLE_ROOM
+        while outcome == FULL and room <= MOST_ROOM:
+            tables = np.zeros(room)
+            work = np.zeros(max(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT, longest + room + 1000))
+            outcome = self._prepare([*given, tables, work])
             room *= 4
-        return outcome, tables[:int(report[REPORT_SIZE])].copy(), report
+        return outcome, tables[:max(outcome, 0)].copy()
 
     def _prepare(self, arrays):
         """One attempt with arrays of this size; the outcome."""
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
-        _, wheel, rail, fixed, _, work, report = map(view, arrays)
-        setup, head = Setup.at(arrays[0]), Tables.at(arrays[4])
-        return source.prepare(setup, wheel, rail, fixed, head, work, report)
-
-    def complete(self, setup, left, right):
-        """Write starts and methods into the prepared tables of both sides; one array where they are equal."""
-        if self.compiled:
-            work = np.zeros(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT)
-            self.library.wrcontact_complete(span(setup), span(left), span(right), work.ctypes.data)
-            return
-        source = import_module("..prepare.tables", __package__)
-        fill_starts(source, Tables.at(left), Tables.at(right), int(left is right))
-        for tables in (left, right):
-            source.write_methods(Setup.at(setup), Tables.at(tables))
-
+        setup, tables = Setup.at(arrays[0]), Tables.at(arrays[6])
+        outcome = source.prepare(setup, *map(view, arrays[1:6]), tables, view(arrays[7]))
+        if outcome >= 0:
+            fill_starts(source, tables)
+            source.write_methods(setup, tables)
+        return outcome
 
     def cut_patch(self, workspace):
         """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""
@@ -135,16 +126,16 @@ class Kernel:
         source.solve_creep_force(Tables.at(tables), work.rolling, work.patch)
 
 
-def fill_starts(source, left, right, equal):
+def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
     state, workspace, inputs, outputs = (np.zeros(size)
                                          for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
     for row in range(START_COUNT):
-        Inputs.at(inputs).lateral_shift = source.start_shift(right, row)
-        status = step(left, right, State.at(state), Work.at(workspace), view(inputs), view(outputs))
-        source.note_start(right, Work.at(workspace).outputs, row, status)
-    source.open_starts(right, equal)
+        Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
+        status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
+        source.note_start(tables, Work.at(workspace).outputs, row, status)
+    source.open_starts(tables)
 
 
 class CompiledKernel:
@@ -153,7 +144,7 @@ class CompiledKernel:
     compiled = True
 
     def __init__(self, library, arrays):
-        self._library, self._size = library, row_size(Tables.at(arrays[1]))
+        self._library, self._size = library, row_size(Tables.at(arrays[0]))
         handle = Handle(*map(span, arrays))
         # it holds bare addresses: they live as long as it, or a bare ``step``, does
         handle.arrays = arrays
@@ -188,9 +179,9 @@ class PythonKernel:
 
     def __init__(self, arrays):
         self._source = import_module("..wheelset.step", __package__)      # not before it is needed
-        left, tables, state, workspace, inputs, outputs = arrays
+        tables, state, workspace, inputs, outputs = arrays
         self._size = row_size(Tables.at(tables))
-        self._records = Tables.at(left), Tables.at(tables), State.at(state), Work.at(workspace)
+        self._records = Tables.at(tables), State.at(state), Work.at(workspace)
         self.step = partial(self._source.step, *self._records, view(inputs), view(outputs))
 
     def step_many(self, count, inputs, outputs, statuses):
@@ -209,14 +200,13 @@ class Preparation(ctypes.Structure):
     """wrcontact_preparation in native/wrcontact_prepare.h."""
 
     _fields_ = [(name, Span)
-                for name in ("setup", "wheel", "rail", "fixed", "tables", "work", "report")]
+                for name in ("setup", "wheel", "rail", "left_wheel", "left_rail", "fixed", "tables", "work")]
 
 
 class Handle(ctypes.Structure):
     """wrcontact_handle in native/wrcontact_kernel.h."""
 
-    _fields_ = [(name, Span) for name in ("left_tables", "right_tables", "state", "workspace", "inputs",
-                                          "outputs")]
+    _fields_ = [(name, Span) for name in ("tables", "state", "workspace", "inputs", "outputs")]
 
 
 def fingerprint(folder=HERE):
@@ -247,7 +237,6 @@ def declare(library):
     library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
-    library.wrcontact_complete.argtypes, library.wrcontact_complete.restype = [Span] * 3 + [address], None
     library.wrcontact_cut_patch.argtypes = [Span]
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None

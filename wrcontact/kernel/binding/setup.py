@@ -1,5 +1,4 @@
-"""What is fixed during a simulation, prepared once into the arrays that the kernel reads: one for each side,
-or one for both where they are equal.
+"""What is fixed during a simulation, prepared once into the array that the kernel reads.
 
 The kernel's own preparation (kernel/prepare/tables.py) lays it out from the profiles' definitions, in Python
 and in a native FMU alike.
@@ -11,29 +10,28 @@ from .fixed_tables import fixed_tables
 from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
-from ..prepare.scan import FINE_STEP
+from ..prepare.scan import FINE_STEP, TOO_WIDE
 from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS, on_the_left
 
 #: Place in the setup of every parameter that the kernel has.
-PLACES = {name: layout.SETUP_PARAMETERS + k for k, name in enumerate(KERNEL_PARAMETERS)}
+PLACES = {name: layout.Setup.parameters.offset // 8 + k for k, name in enumerate(KERNEL_PARAMETERS)}
 
 
 def setup_of(parameters, methods):
-    """The kernel's setup (n,) of the right side for checked ``parameters`` and the objects of all
-    ``methods``, by name; that of the left side for those of :func:`on_the_left`."""
-    setup = np.full(layout.SETUP_SIZE, np.nan)
+    """The kernel's setup (n,) for checked ``parameters`` and the objects of all ``methods``, by name."""
+    array = np.full(layout.SETUP_SIZE, np.nan)
     for name, place in PLACES.items():
         value = methods[name].kernel_number if name in methods else parameters[name]
-        setup[place] = PARAMETERS[name].start if value is None else value
-    resolution = methods["normal_model"].resolution
-    setup[layout.SETUP_RESOLUTION:][:len(resolution)] = resolution
-    radii = parameters["nominal_radius"], on_the_left(parameters)["nominal_radius"]
-    setup[layout.SETUP_HEIGHT] = 0.5 * (radii[0] + radii[1])
-    return setup
+        array[place] = PARAMETERS[name].start if value is None else value
+    setup = layout.Setup.at(array)
+    setup.resolution[:] = methods["normal_model"].resolution
+    left = on_the_left(parameters)
+    setup.left_radius, setup.left_inclination = left["nominal_radius"], left["rail_inclination"]
+    return array
 
 
 def prepare_sides(right, left, *, parameters, methods):
-    """Settings and tables (n,) of the right and of the left side, the same array where both are equal.
+    """Settings and tables (n,) of a wheelset.
 
     Parameters
     ----------
@@ -45,41 +43,34 @@ def prepare_sides(right, left, *, parameters, methods):
     ValueError
         where profiles and parameters do not fit each other, in a sentence.
     """
-    setups = setup_of(parameters, methods), left_setup(parameters, methods)
-    definitions = [[profile.definition() for profile in side] for side in (right, left)]
-    tables = prepare_side(setups[0], *definitions[0], *right)
-    equal = all(np.array_equal(*both, equal_nan=True) for both in (setups, *zip(*definitions)))
-    left_tables = tables if equal else prepare_side(setups[1], *definitions[1], *left)
-    default_kernel().complete(setups[0], left_tables, tables)
-    return tables, left_tables
-
-
-def left_setup(parameters, methods):
-    """The kernel's setup (n,) of the left side; the rest as for :func:`setup_of`."""
-    setup = setup_of(on_the_left(parameters), methods)
-    setup[layout.SETUP_HEIGHT] = setup_of(parameters, methods)[layout.SETUP_HEIGHT]
-    return setup
-
-
-def prepare_side(setup, wheel_definition, rail_definition, wheel, rail):
-    """The tables (n,) of one side without starts and methods, for definitions of the profiles ``wheel`` and
-    ``rail``."""
-    rolling = setup[PLACES["tangential_model"]] != layout.TANGENTIAL_NONE
-    outcome, tables, report = default_kernel().prepare(setup, wheel_definition, rail_definition,
-                                                       fixed_tables(bool(rolling)))
-    if outcome == prepare_tables.PREPARED:
+    array = setup_of(parameters, methods)
+    rolling = array[PLACES["tangential_model"]] != layout.TANGENTIAL_NONE
+    definitions = [profile.definition() for profile in (*right, *left)]
+    outcome, tables = default_kernel().prepare(array, *definitions, fixed_tables(bool(rolling)))
+    if outcome >= 0:
         return tables
-    raise ValueError(refusal(outcome, report, wheel.name, rail.name))
+    setup = layout.Setup.at(array)
+    raise ValueError(refusal(outcome, setup, *(profile.name for profile in (right if setup.side else left))))
 
 
-def refusal(outcome, report, wheel, rail):
+def profile_tables(tables, index):
+    """What the kernel reads of a side's profiles in its ``tables`` (n,), 0 left and 1 right: wheel (m,) and
+    rail (k,) for ``wrcontact.profiles.compiled.evaluate_table``, and the track coordinate of the rail's
+    highest point [m], each as those of a right side."""
+    pair = layout.Tables.at(tables).pairs[index]
+    wheel, wheel_end, rail, rail_end = (layout.offset(part, tables) for part in (
+        pair.wheel, pair.wheel_curvature, pair.rail, pair.rail_curvature))
+    return tables[wheel:wheel_end], tables[rail:rail_end], pair.rail_y
+
+
+def refusal(outcome, setup, wheel, rail):
     """Why the tables could not be prepared, in a sentence."""
     if outcome == prepare_tables.GAUGE_TOO_DEEP:
-        return (f"gauge_depth reaches {report[prepare_tables.REPORT_DEPTH]:.6g} m, but the inner side of the "
-                f"rail profile {rail} ends at {report[prepare_tables.REPORT_DEEPEST]:.6g} m; permitted are "
+        return (f"gauge_depth reaches {setup.depth:.6g} m, but the inner side of the "
+                f"rail profile {rail} ends at {setup.reached:.6g} m; permitted are "
                 "smaller depths")
-    if outcome == prepare_tables.WHEEL_TOO_WIDE:
-        return (f"the wheel profile is {report[prepare_tables.REPORT_WIDTH]:.4g} m wide; permitted are at "
+    if outcome == TOO_WIDE:
+        return (f"the wheel profile is {setup.width:.4g} m wide; permitted are at "
                 f"most {layout.SCAN_LIMIT * FINE_STEP:.4g} m")
     if outcome == prepare_tables.WITHOUT_HEAD:
         return (f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the "

@@ -20,7 +20,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..layout import (PIECE_SIZE, RAIL, SEPARATION_EQUIDISTANT_CHORD, SEPARATION_NORMAL, WHEEL, Frame, Origin,
-                      Piece, Profile, Region, Tables, seldom)
+                      Pair, Piece, Profile, Region, seldom)
 from ..surface.locus import outline_jet
 from ..surface.tables import find_piece, height_slope, height_slope_bend, read_cubic, read_cubic_jet
 
@@ -38,19 +38,19 @@ MOVE_ITERATIONS: Final[int] = 40
 
 
 @seldom
-def curve_profile(tables: Tables, curve: int) -> Profile:
+def curve_profile(pair: Pair, curve: int) -> Profile:
     """The profile of a curve."""
-    profile = tables.wheel
+    profile = pair.wheel
     if curve == RAIL:
-        profile = tables.rail
+        profile = pair.rail
     return profile
 
 
 @seldom
-def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
+def curve_jet(pair: Pair, frame: Frame, origin: Origin, curve: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
     ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m]."""
-    z, slope, bend = height_slope_bend(curve_profile(tables, curve), u)
+    z, slope, bend = height_slope_bend(curve_profile(pair, curve), u)
     across = u - origin.points[RAIL].y
     down = z - origin.points[RAIL].z
     stretch = 1.0
@@ -62,54 +62,54 @@ def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float
 
 
 @seldom
-def curve_speed(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
+def curve_speed(pair: Pair, frame: Frame, origin: Origin, curve: int, u: float):
     """Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
     change it."""
     speed = 1.0
     if curve == RAIL or not frame.place.yawed:
-        z, slope = height_slope(curve_profile(tables, curve), u)
+        z, slope = height_slope(curve_profile(pair, curve), u)
         speed = sqrt(1.0 + slope * slope)
     else:
-        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
+        across, down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, u)
         speed = stretch * sqrt(1.0 + slope * slope)
     return speed
 
 
 @seldom
-def within(tables: Tables, curve: int, u: float):
+def within(pair: Pair, curve: int, u: float):
     """``u``, or the end of the profile that it lies beyond [m]."""
-    profile = curve_profile(tables, curve)
+    profile = curve_profile(pair, curve)
     u = min(max(u, profile.start), profile.stop)
     return u
 
 
 @seldom
-def open_origin(tables: Tables, frame: Frame, origin: Origin, region: Region, spacing: float):
+def open_origin(pair: Pair, frame: Frame, origin: Origin, region: Region, spacing: float):
     """Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where
     that is 0."""
-    if tables.separation != SEPARATION_NORMAL:
+    if pair.tables.separation != SEPARATION_NORMAL:
         origin.station = region.station
         origin.gap = region.gap
         origin.spacing = 0.0
-        if tables.separation == SEPARATION_EQUIDISTANT_CHORD:
+        if pair.tables.separation == SEPARATION_EQUIDISTANT_CHORD:
             origin.spacing = spacing
-        open_curve(tables, frame, origin, RAIL, region.rail)
-        open_curve(tables, frame, origin, WHEEL, region.wheel)
+        open_curve(pair, frame, origin, RAIL, region.rail)
+        open_curve(pair, frame, origin, WHEEL, region.wheel)
 
 
 @seldom
-def open_curve(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
+def open_curve(pair: Pair, frame: Frame, origin: Origin, curve: int, u: float):
     """Let the origin of a curve be its point at abscissa ``u`` [m]."""
     point = origin.points[curve]
     point.y = 0.0
     point.z = 0.0
-    across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
+    across, down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, u)
     point.y = across
     point.z = down
 
 
 @seldom
-def panel_length(tables: Tables, frame: Frame, origin: Origin, curve: int, low: float, high: float):
+def panel_length(pair: Pair, frame: Frame, origin: Origin, curve: int, low: float, high: float):
     """Arc length [m] between abscissae within one piece of the profile, by Gauss's
     formula with six points."""
     middle = 0.5 * (low + high)
@@ -126,12 +126,12 @@ def panel_length(tables: Tables, frame: Frame, origin: Origin, curve: int, low: 
             if k == 2:
                 away = GAUSS_3
                 weight = WEIGHT_3
-            total += weight * curve_speed(tables, frame, origin, curve, middle + side * away)
+            total += weight * curve_speed(pair, frame, origin, curve, middle + side * away)
     return half * total
 
 
 @seldom
-def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: float, stop: float):
+def arc_length(pair: Pair, frame: Frame, origin: Origin, curve: int, start: float, stop: float):
     """Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where
     ``stop`` is the smaller one.
 
@@ -143,13 +143,13 @@ def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: 
         low = stop
         high = start
     total = 0.0
-    piece = find_piece(curve_profile(tables, curve), low)
+    piece = find_piece(curve_profile(pair, curve), low)
     while low < high:
         end = high
         piece = Piece.at(piece, PIECE_SIZE)
         if piece.start < high:
             end = piece.start
-        total += panel_length(tables, frame, origin, curve, low, end)
+        total += panel_length(pair, frame, origin, curve, low, end)
         low = end
     if stop < start:
         total = -total
@@ -157,21 +157,21 @@ def arc_length(tables: Tables, frame: Frame, origin: Origin, curve: int, start: 
 
 
 @seldom
-def rail_length(tables: Tables, start: float, stop: float):
+def rail_length(pair: Pair, start: float, stop: float):
     """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one."""
-    return read_cubic(tables.rail_arc, stop) - read_cubic(tables.rail_arc, start)
+    return read_cubic(pair.rail_arc, stop) - read_cubic(pair.rail_arc, start)
 
 
 @seldom
-def rail_abscissa(tables: Tables, start: float, length: float):
+def rail_abscissa(pair: Pair, start: float, length: float):
     """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
 
     The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
     leaves rounding.
     """
-    rail = tables.rail
-    arcs = tables.rail_arc
-    abscissae = tables.rail_at_arc
+    rail = pair.rail
+    arcs = pair.rail_arc
+    abscissae = pair.rail_at_arc
     arc = read_cubic(arcs, start) + length
     if arc < 0.0:
         x = rail.start + arc
@@ -185,7 +185,7 @@ def rail_abscissa(tables: Tables, start: float, length: float):
 
 
 @seldom
-def move_arc(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float) -> bool:
+def move_arc(pair: Pair, frame: Frame, origin: Origin, curve: int, length: float) -> bool:
     """Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; whether the curve is
     that long."""
     u = frame.traces[curve].abscissa
@@ -194,28 +194,28 @@ def move_arc(tables: Tables, frame: Frame, origin: Origin, curve: int, length: f
         if fabs(remainder) < MOVE_SHARP:
             frame.traces[curve].abscissa = u
             return True
-        speed = curve_speed(tables, frame, origin, curve, u)
+        speed = curve_speed(pair, frame, origin, curve, u)
         if not speed > 0.0:
             return False
-        following = within(tables, curve, u + remainder / speed)
+        following = within(pair, curve, u + remainder / speed)
         if following == u:
             return False
-        remainder -= arc_length(tables, frame, origin, curve, u, following)
+        remainder -= arc_length(pair, frame, origin, curve, u, following)
         u = following
     return False
 
 
 @seldom
-def move_chord(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float) -> bool:
+def move_chord(pair: Pair, frame: Frame, origin: Origin, curve: int, chord: float) -> bool:
     """Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
     forward where ``chord`` is positive; whether it does."""
     start = frame.traces[curve].abscissa
-    from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
+    from_across, from_down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, start)
     if not stretch > 0.0:
         return False
-    u = within(tables, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)))
+    u = within(pair, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)))
     for i in range(MOVE_ITERATIONS):
-        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
+        across, down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, u)
         across -= from_across
         down -= from_down
         length = sqrt(across * across + down * down)
@@ -225,7 +225,7 @@ def move_chord(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: 
         along = (across + slope * down) * stretch
         if not along * chord > 0.0:
             return False
-        following = within(tables, curve, u - (length - fabs(chord)) * length / along)
+        following = within(pair, curve, u - (length - fabs(chord)) * length / along)
         if following == u:
             return False
         u = following
@@ -233,37 +233,37 @@ def move_chord(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: 
 
 
 @seldom
-def move_to_station(tables: Tables, frame: Frame, origin: Origin, curve: int, station: float) -> bool:
+def move_to_station(pair: Pair, frame: Frame, origin: Origin, curve: int, station: float) -> bool:
     """Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; whether
     there is one."""
     way = station - frame.station
     spacing = origin.spacing
     exists = True
     if spacing == 0.0:
-        exists = move_arc(tables, frame, origin, curve, way)
+        exists = move_arc(pair, frame, origin, curve, way)
     else:
         chord = spacing
         if way < 0.0:
             chord = -spacing
         for i in range(int(fabs(way) / spacing + 0.5)):
             if exists:
-                exists = move_chord(tables, frame, origin, curve, chord)
+                exists = move_chord(pair, frame, origin, curve, chord)
     return exists
 
 
 @seldom
-def move_across(tables: Tables, frame: Frame, origin: Origin, lateral: float) -> bool:
+def move_across(pair: Pair, frame: Frame, origin: Origin, lateral: float) -> bool:
     """Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
     whether there is such a place."""
-    u = within(tables, WHEEL, frame.traces[WHEEL].abscissa)
+    u = within(pair, WHEEL, frame.traces[WHEEL].abscissa)
     for i in range(MOVE_ITERATIONS):
-        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
+        across, down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL, u)
         if not stretch > 0.0:
             return False
         if fabs(across - lateral) < MOVE_SHARP:
             frame.traces[WHEEL].abscissa = u
             return True
-        following = within(tables, WHEEL, u - (across - lateral) / stretch)
+        following = within(pair, WHEEL, u - (across - lateral) / stretch)
         if following == u:
             return False
         u = following

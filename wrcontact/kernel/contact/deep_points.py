@@ -6,7 +6,8 @@ search for them costs as much as the rest of a trial.
 
 from typing import Final
 
-from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, DeepPoints, Overlap, Place, Tables, seldom
+from ..layout import (DEEP_LIMIT, REGION_LIMIT, DeepPoint, DeepPoints, Meeting, Overlap, Pair, Place, copy,
+                      seldom)
 from .pressed import turning_point
 
 #: Two deepest points are one region while the overlap between them has fallen by less than this share of
@@ -24,24 +25,14 @@ FOLLOWED: Final[float] = 5e-4
 
 
 @seldom
-def copy_point(point: DeepPoint, copy: DeepPoint):
-    """Write ``point`` to ``copy``."""
-    copy.rail = point.rail
-    copy.wheel = point.wheel
-    copy.depth = point.depth
-    copy.saddle = point.saddle
-    copy.between = point.between
-
-
-@seldom
-def append_point(overlap: Overlap, rail: float, wheel: float, depth: float):
+def append_point(overlap: Overlap, rail: float, meeting: Meeting):
     """List a deepest point at the end."""
     count = overlap.count
     if count < DEEP_LIMIT:
         point = overlap.points[count]
         point.rail = rail
-        point.wheel = wheel
-        point.depth = depth
+        point.wheel = meeting.wheel
+        point.depth = meeting.overlap
         overlap.count = count + 1
 
 
@@ -53,7 +44,7 @@ def sort_last(overlap: Overlap):
     wheel = overlap.points[entry].wheel
     depth = overlap.points[entry].depth
     while entry > 0 and rail < overlap.points[entry - 1].rail:
-        copy_point(overlap.points[entry - 1], overlap.points[entry])
+        copy(overlap.points[entry - 1], overlap.points[entry])
         entry -= 1
     point = overlap.points[entry]
     point.rail = rail
@@ -95,7 +86,7 @@ def shallowest_entry(overlap: Overlap):
 @seldom
 def keep_deepest(overlap: Overlap):
     """Leave only the deepest of the list, which then has no bounds."""
-    copy_point(overlap.points[deepest_entry(overlap)], overlap.points[0])
+    copy(overlap.points[deepest_entry(overlap)], overlap.points[0])
     overlap.count = 1
 
 
@@ -104,7 +95,7 @@ def remove_point(overlap: Overlap, entry: int):
     """Take a point off the list with its own saddle."""
     count = overlap.count
     for i in range(entry, count - 1):
-        copy_point(overlap.points[i + 1], overlap.points[i])
+        copy(overlap.points[i + 1], overlap.points[i])
     overlap.count = count - 1
 
 
@@ -147,38 +138,35 @@ def keep_points(overlap: Overlap, kept: DeepPoints):
     """Note the deepest points on the list for the next trial."""
     kept.count = overlap.count
     for entry in range(overlap.count):
-        copy_point(overlap.points[entry], kept.points[entry])
+        copy(overlap.points[entry], kept.points[entry])
 
 
-def follow_overlaps(tables: Tables, overlap: Overlap, kept: DeepPoints, place: Place, height: float):
+def follow_overlaps(pair: Pair, overlap: Overlap, kept: DeepPoints, place: Place, height: float):
     """List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
     ``height`` [m], with the saddles between them; their number, or 0 if one was lost or moved too far."""
     overlap.height = height
     overlap.count = kept.count
     for entry in range(kept.count):
         point = overlap.points[entry]
-        copy_point(kept.points[entry], point)
+        copy(kept.points[entry], point)
         x = point.rail
-        rail, wheel, depth, turned = turning_point(tables, place, x - FOLLOWED, x + FOLLOWED, point.wheel,
-                                                   height, 1.0)
-        if not turned or not depth > 0.0:
+        x, turned = turning_point(pair, place, x - FOLLOWED, x + FOLLOWED, point.wheel, height, 1.0)
+        if not turned or not place.meeting.overlap > 0.0:
             return 0
-        point.rail = rail
-        point.wheel = wheel
-        point.depth = depth
+        point.rail = x
+        point.wheel = place.meeting.wheel
+        point.depth = place.meeting.overlap
     for entry in range(kept.count - 1):
-        follow_saddle(tables, place, overlap.points[entry], overlap.points[entry + 1], height)
+        follow_saddle(pair, place, overlap.points[entry], overlap.points[entry + 1], height)
     return overlap.count
 
 
-def follow_saddle(tables: Tables, place: Place, point: DeepPoint, following: DeepPoint, height: float):
+def follow_saddle(pair: Pair, place: Place, point: DeepPoint, following: DeepPoint, height: float):
     """Find the saddle between two neighbouring points from where it was."""
     y = 0.5 * (point.wheel + following.wheel)
     reach = min(min(FOLLOWED, point.saddle - point.rail), following.rail - point.saddle)
-    x, y, depth, turned = turning_point(tables, place, point.saddle - reach, point.saddle + reach, y, height,
-                                        -1.0)
+    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, y, height, -1.0)
     if not turned:
-        x, y, depth, turned = turning_point(tables, place, point.rail, following.rail,
-                                            0.5 * (point.wheel + following.wheel), height, -1.0)
+        x, turned = turning_point(pair, place, point.rail, following.rail, y, height, -1.0)
     point.saddle = x
-    point.between = depth
+    point.between = place.meeting.overlap

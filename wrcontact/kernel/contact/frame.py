@@ -8,8 +8,8 @@ deepest point.
 from math import sqrt
 from typing import Final
 
-from ..layout import (FRAME_SIZE, LOAD_VERTICAL, REGION_LIMIT, Frame, KeptFrames, Place, Region, Regions,
-                      Tables, seldom)
+from ..layout import (LOAD_VERTICAL, REGION_LIMIT, Frame, KeptFrames, Pair, Place, Region, Regions, Tables,
+                      copy, seldom)
 from ..surface.gap import FOLDED
 from ..surface.locus import outline_jet, outline_x
 from ..surface.rails import upright_share
@@ -24,7 +24,7 @@ BEYOND: Final[float] = 1.0
 PLACE_TRACE: Final[float] = 1e-8
 
 
-def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: float, shift: float):
+def open_frame(pair: Pair, frame: Frame, place: Place, y: float, aside: float, shift: float):
     """Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
     there.
 
@@ -33,11 +33,11 @@ def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: floa
     Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
     [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
     """
-    z, slope, bend = height_slope_bend(tables.wheel, y)
+    z, slope, bend = height_slope_bend(pair.wheel, y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
     y_track += aside
-    abscissa = y_track - tables.rail_y
-    height, rail_slope, rail_bend = height_slope_bend(tables.rail, abscissa)
+    abscissa = y_track - pair.rail_y
+    height, rail_slope, rail_bend = height_slope_bend(pair.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope)
     sine = rail_slope * cosine
     frame.rail.y = abscissa
@@ -65,15 +65,15 @@ def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: floa
     return z, slope, y_track, rail_slope, mismatch
 
 
-def normal_gap(tables: Tables, frame: Frame, station: float, tolerance: float):
+def normal_gap(pair: Pair, frame: Frame, station: float, tolerance: float):
     """Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
     [m].
 
     NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
     """
     frame.place.node_count += 1.0
-    rail_height, rail_rate, rail_bend, on_rail = trace_rail(tables, frame, station, tolerance)
-    wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(tables, frame, station, tolerance)
+    rail_height, rail_rate, rail_bend, on_rail = trace_rail(pair, frame, station, tolerance)
+    wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(pair, frame, station, tolerance)
     frame.station = station
     gap = wheel_height - rail_height + frame.raised
     if not on_rail or not on_wheel:
@@ -87,42 +87,26 @@ def is_yawed(frame: Frame) -> bool:
 
 
 @seldom
-def keep_frame(frame: Frame, frames: KeptFrames, slot: int):
-    """Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's."""
-    kept = frames[slot]
-    for i in range(FRAME_SIZE):
-        kept[i] = frame[i]
-
-
-@seldom
-def use_frame(frame: Frame, frames: KeptFrames, slot: int):
-    """Open the frame that was kept for ``slot``."""
-    kept = frames[slot]
-    for i in range(FRAME_SIZE):
-        frame[i] = kept[i]
-
-
-@seldom
-def locate_along_track(tables: Tables, frame: Frame, regions: Regions, count: int):
+def locate_along_track(pair: Pair, frame: Frame, regions: Regions, count: int):
     """Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
     flange root."""
     for index in range(count):
         region = regions[index]
-        region.x_track = outline_x(tables, frame.place, region.wheel)
+        region.x_track = outline_x(pair, frame.place, region.wheel)
 
 
 @seldom
 def enter_plane(frame: Frame, frames: KeptFrames, region: Region, slot: int):
     """Open the frame of a region with its own plane, kept in ``slot``."""
     if region.own:
-        use_frame(frame, frames, slot)
+        copy(frames[slot], frame)
 
 
 @seldom
 def leave_plane(frame: Frame, frames: KeptFrames, region: Region):
     """Open the contact point's frame again."""
     if region.own:
-        use_frame(frame, frames, REGION_LIMIT)
+        copy(frames[REGION_LIMIT], frame)
 
 
 def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
@@ -140,9 +124,9 @@ def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
         region.share = upright_share(frame.place, cosine, region.sin)
 
 
-def measure_contact(tables: Tables, frame: Frame):
+def measure_contact(pair: Pair, frame: Frame):
     """Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x."""
-    gap, rate, bend, curvature = normal_gap(tables, frame, 0.0, PLACE_TRACE)
+    gap, rate, bend, curvature = normal_gap(pair, frame, 0.0, PLACE_TRACE)
     frame.bend = bend
     frame.curvature = curvature
 

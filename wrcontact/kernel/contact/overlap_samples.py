@@ -3,7 +3,7 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
-from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, Tables, seldom
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
@@ -11,14 +11,14 @@ from ..surface.tables import height_slope_bend
 
 
 @seldom
-def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, height: float, entry: int):
+def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height: float, entry: int):
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
     abscissa [m]."""
-    point = tables.scan.nodes[node]
+    point = pair.scan.nodes[node]
     y = point.y
     y_track, z_track, outline_slope = outline_point(place, y, point.height, point.slope)
-    abscissa = y_track - tables.rail_y
-    z_rail, m, bend = height_slope_bend(tables.rail, abscissa)
+    abscissa = y_track - pair.rail_y
+    z_rail, m, bend = height_slope_bend(pair.rail, abscissa)
     gap = z_rail - z_track
     square = 1.0 / (1.0 + m * m)
     samples.rail[entry] = abscissa
@@ -34,35 +34,35 @@ def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, he
 
 
 @seldom
-def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
+def sample_end(pair: Pair, samples: Samples, direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
     searched.
 
     It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
     sampled yet.
     """
-    samples.rail[entry] = tables.rail.start
+    samples.rail[entry] = pair.rail.start
     samples.rise[entry] = 1.0
     if direction > 0:
-        samples.rail[entry] = tables.rail.stop
+        samples.rail[entry] = pair.rail.stop
         samples.rise[entry] = -1.0
 
 
 @seldom
-def walk_overlap(tables: Tables, samples: Samples, place: Place, node: int, direction: int, height: float,
+def walk_overlap(pair: Pair, samples: Samples, place: Place, node: int, direction: int, height: float,
                  first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
     above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
-    count = tables.scan.count
+    count = pair.scan.count
     entry = first
     exponent = EXPONENTS - 1
     adjacent = 1.0
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
-        gap, mismatch, abscissa = sample_overlap(tables, samples, place, node, height, entry)
+        gap, mismatch, abscissa = sample_overlap(pair, samples, place, node, height, entry)
         place.gap_count += 1.0
-        on_rail = above_rail(tables, abscissa)
+        on_rail = above_rail(pair, abscissa)
         if not on_rail:
-            sample_end(tables, samples, direction, entry)
+            sample_end(pair, samples, direction, entry)
         if direction > 0:
             samples.adjacent[entry] = adjacent
         else:
@@ -73,7 +73,7 @@ def walk_overlap(tables: Tables, samples: Samples, place: Place, node: int, dire
         adjacent = 1.0
         step = 1
         if gap > height:
-            exponent = clear_exponent(tables.scan, place, node, direction, abscissa, gap - height,
+            exponent = clear_exponent(pair.scan, place, node, direction, abscissa, gap - height,
                                       float(direction) * mismatch, exponent)
             if exponent < 0:
                 exponent = 0

@@ -8,7 +8,8 @@ between them are one region (deep_points.MERGE).
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import OVERLAP_LIMIT, Overlap, Place, RisePoint, Samples, SideSearch, Stretch, Tables, seldom
+from ..layout import (OVERLAP_LIMIT, Overlap, Pair, Place, RisePoint, Samples, SideSearch, Stretch, copy,
+                      seldom)
 from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
@@ -35,65 +36,64 @@ WIDENINGS: Final[int] = 6
 
 
 @seldom
-def find_overlaps(tables: Tables, overlap: Overlap, side: SideSearch, height: float):
+def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float):
     """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
     number."""
     place = side.place
     samples = overlap.samples
-    node = node_below(tables.scan, side.best_y)
+    node = node_below(pair.scan, side.best_y)
     overlap.count = 0
     overlap.height = height
     overlap.stretch.known = -1
-    start = walk_overlap(tables, samples, place, node, -1, height, OVERLAP_LIMIT - 1) + 1
-    stop = walk_overlap(tables, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
+    start = walk_overlap(pair, samples, place, node, -1, height, OVERLAP_LIMIT - 1) + 1
+    stop = walk_overlap(pair, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            list_in_cell(tables, overlap, place, entry)
-    list_beside_smallest_gap(tables, overlap, side)
+            list_in_cell(pair, overlap, place, entry)
+    list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
-        find_saddles(tables, overlap, place)
+        find_saddles(pair, overlap, place)
         merge_points(overlap)
     return overlap.count
 
 
 @seldom
-def list_in_cell(tables: Tables, overlap: Overlap, place: Place, entry: int):
+def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int):
     """List the deepest points between the sample ``entry`` and the next one."""
     samples = overlap.samples
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
-    hidden = may_turn(tables, samples, place, entry)
+    hidden = may_turn(pair, samples, place, entry)
     if not hidden and not (rise > 0.0 and following <= 0.0):
         return
-    open_stretch(tables, overlap, place, entry)
+    open_stretch(pair, overlap, place, entry)
     stretch = overlap.stretch
     finest = OVERLAP_PART
     listed = False
     if hidden:
         # the samples are straight down: what counts is the rise along the normal
-        widen_bounds(tables, overlap, place, entry)
+        widen_bounds(pair, overlap, place, entry)
         if stretch.known == entry:
-            copy_rise(stretch.end, stretch.first)
+            copy(stretch.end, stretch.first)
         else:
-            measure_rise(tables, overlap, place, stretch.first, samples.wheel[entry])
-        measure_rise(tables, overlap, place, stretch.last, samples.wheel[entry + 1])
-        copy_rise(stretch.last, stretch.end)
+            measure_rise(pair, overlap, place, stretch.first, samples.wheel[entry])
+        measure_rise(pair, overlap, place, stretch.last, samples.wheel[entry + 1])
+        copy(stretch.last, stretch.end)
         stretch.known = entry + 1
         finest = HIDDEN_PART
     elif stretch.least > 0.0:
-        listed = list_turning_point(tables, overlap, place, stretch.first.x, stretch.last.x,
-                                    stretch.wheel)
+        listed = list_turning_point(pair, overlap, place, stretch.first.x, stretch.last.x, stretch.wheel)
     else:
-        widen_bounds(tables, overlap, place, entry)
+        widen_bounds(pair, overlap, place, entry)
     if not listed:
         if not hidden:
             stretch.least = min(stretch.least, 0.0)
-            widen_stretch(tables, overlap, place)
-        list_on_stretch(tables, overlap, place, finest)
+            widen_stretch(pair, overlap, place)
+        list_on_stretch(pair, overlap, place, finest)
 
 
 @seldom
-def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
+def open_stretch(pair: Pair, overlap: Overlap, place: Place, entry: int):
     """Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
     down."""
     samples = overlap.samples
@@ -102,14 +102,8 @@ def open_stretch(tables: Tables, overlap: Overlap, place: Place, entry: int):
     set_point(stretch.last, samples.rail[entry + 1], samples.rise[entry + 1], 0.0)
     stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
-    node = node_below(tables.scan, samples.wheel[entry])
-    stretch.least, stretch.most = bend_bounds(tables.scan, place, node, stretch.first.x)
-
-
-@seldom
-def copy_rise(point: RisePoint, copy: RisePoint):
-    """Write ``point`` to ``copy``."""
-    set_point(copy, point.x, point.rise, point.rate)
+    node = node_below(pair.scan, samples.wheel[entry])
+    stretch.least, stretch.most = bend_bounds(pair.scan, place, node, stretch.first.x)
 
 
 @seldom
@@ -121,27 +115,25 @@ def set_point(point: RisePoint, x: float, rise: float, rate: float):
 
 
 @seldom
-def measure_rise(tables: Tables, overlap: Overlap, place: Place, point: RisePoint, y: float):
+def measure_rise(pair: Pair, overlap: Overlap, place: Place, point: RisePoint, y: float):
     """Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
     is none."""
-    y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, point.x, y, overlap.height,
-                                                                   NODE_SHARP)
     point.rise = 0.0
     point.rate = 0.0
-    if found:
-        z_rail, slope = height_slope(tables.rail, point.x)
-        point.rise = rise
-        point.rate = bend * sqrt(1.0 + slope * slope)
+    if meet_wheel(pair, place, point.x, y, overlap.height, NODE_SHARP):
+        z_rail, slope = height_slope(pair.rail, point.x)
+        point.rise = place.meeting.rise
+        point.rate = place.meeting.rate * sqrt(1.0 + slope * slope)
 
 
 @seldom
-def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
+def widen_bounds(pair: Pair, overlap: Overlap, place: Place, entry: int):
     """Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
 
     A normal meets the wheel aside of the sample, in the next cell at most, and by a share of NORMAL_SHARE
     sooner or later.
     """
-    scan = tables.scan
+    scan = pair.scan
     stretch = overlap.stretch
     node = node_below(scan, overlap.samples.wheel[entry])
     if node > 0:
@@ -158,18 +150,17 @@ def widen_bounds(tables: Tables, overlap: Overlap, place: Place, entry: int):
 
 
 @seldom
-def list_turning_point(tables: Tables, overlap: Overlap, place: Place, low: float,
-                       high: float, y: float) -> bool:
+def list_turning_point(pair: Pair, overlap: Overlap, place: Place, low: float, high: float, y: float) -> bool:
     """List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
     an overlap and it is not listed yet; whether there is a turning point."""
-    rail, wheel, depth, turned = turning_point(tables, place, low, high, y, overlap.height, 1.0)
-    if turned and depth > 0.0 and not is_listed(overlap, rail):
-        append_point(overlap, rail, wheel, depth)
+    rail, turned = turning_point(pair, place, low, high, y, overlap.height, 1.0)
+    if turned and place.meeting.overlap > 0.0 and not is_listed(overlap, rail):
+        append_point(overlap, rail, place.meeting)
     return turned
 
 
 @seldom
-def may_turn(tables: Tables, samples: Samples, place: Place, entry: int) -> bool:
+def may_turn(pair: Pair, samples: Samples, place: Place, entry: int) -> bool:
     """Whether between the sample ``entry`` and the next one the overlap may turn unseen by both."""
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
@@ -178,8 +169,8 @@ def may_turn(tables: Tables, samples: Samples, place: Place, entry: int) -> bool
         # the bounds are those of the overlap straight down
         answer = True
     elif rise * following > 0.0:
-        node = node_below(tables.scan, samples.wheel[entry])
-        least, most = bend_bounds(tables.scan, place, node, samples.rail[entry])
+        node = node_below(pair.scan, samples.wheel[entry])
+        least, most = bend_bounds(pair.scan, place, node, samples.rail[entry])
         if least < 0.0:
             width = samples.wheel[entry + 1] - samples.wheel[entry]
             answer = not only_rises_or_falls(least, most, width, -rise, -following)
@@ -187,40 +178,41 @@ def may_turn(tables: Tables, samples: Samples, place: Place, entry: int) -> bool
 
 
 @seldom
-def widen_stretch(tables: Tables, overlap: Overlap, place: Place):
+def widen_stretch(pair: Pair, overlap: Overlap, place: Place):
     """Widen the stretch until the overlap rises from its first end and falls to its last one: the samples are
     straight down, and their slope may change its sign a little before the overlap along the normal has its
     maximum."""
     stretch = overlap.stretch
     step = stretch.last.x - stretch.first.x
-    low = bracket_end(tables, overlap, place, stretch.first.x, -step)
-    high = bracket_end(tables, overlap, place, stretch.last.x, step)
+    low = bracket_end(pair, overlap, place, stretch.first.x, -step)
+    high = bracket_end(pair, overlap, place, stretch.last.x, step)
     stretch.width *= (high - low) / step
     stretch.first.x = low
     stretch.last.x = high
 
 
 @seldom
-def bracket_end(tables: Tables, overlap: Overlap, place: Place, x: float, step: float):
+def bracket_end(pair: Pair, overlap: Overlap, place: Place, x: float, step: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
     side."""
-    rail = tables.rail
+    rail = pair.rail
     y = overlap.stretch.wheel
     for i in range(WIDENINGS):
         if x <= rail.start:
             return rail.start
         if x >= rail.stop:
             return rail.stop
-        y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, overlap.height,
-                                                                       LINE_SHARP)
-        if not found or rise * step < 0.0:
+        if not meet_wheel(pair, place, x, y, overlap.height, LINE_SHARP):
             break
+        if place.meeting.rise * step < 0.0:
+            break
+        y = place.meeting.wheel
         x += step
     return x
 
 
 @seldom
-def list_on_stretch(tables: Tables, overlap: Overlap, place: Place, finest: int):
+def list_on_stretch(pair: Pair, overlap: Overlap, place: Place, finest: int):
     """List the deepest points on the stretch: on nearly conformal profiles the joints of their arcs leave
     several, of which a bracket by itself would end at either.
 
@@ -231,26 +223,26 @@ def list_on_stretch(tables: Tables, overlap: Overlap, place: Place, finest: int)
     before = stretch.before
     after = stretch.after
     each = (stretch.last.x - stretch.first.x) / float(PARTS)
-    copy_rise(stretch.first, before)
+    copy(stretch.first, before)
     start = 0
     size = PARTS
     while start < PARTS:
         stop = start + size
         if stop < PARTS:
             after.x = stretch.first.x + each * float(stop)
-            measure_rise(tables, overlap, place, after, wheel_beside(stretch, float(stop)))
+            measure_rise(pair, overlap, place, after, wheel_beside(stretch, float(stop)))
         else:
-            copy_rise(stretch.last, after)
+            copy(stretch.last, after)
         once = turns_once(stretch, float(size) / float(PARTS))
         if size > finest and not once:
             size = size // 2
         else:
             if before.rise > 0.0 and after.rise <= 0.0:
-                list_turning_point(tables, overlap, place, before.x, after.x,
+                list_turning_point(pair, overlap, place, before.x, after.x,
                                    wheel_beside(stretch, 0.5 * float(start + stop)))
             elif not once:
-                list_hidden_point(tables, overlap, place)
-            copy_rise(after, before)
+                list_hidden_point(pair, overlap, place)
+            copy(after, before)
             start = stop
             while start < PARTS and size < PARTS and start % (2 * size) == 0:
                 size = 2 * size
@@ -278,7 +270,7 @@ def turns_once(stretch: Stretch, share: float) -> bool:
 
 
 @seldom
-def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
+def list_hidden_point(pair: Pair, overlap: Overlap, place: Place):
     """List the deepest point of a hump on the open part if the overlap rises, or falls, at both ends of it.
 
     A rise that bends one way, or has one kink, is nowhere beyond its tangents at both ends.  While those
@@ -288,8 +280,8 @@ def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
     low = stretch.low
     high = stretch.high
     middle = stretch.middle
-    copy_rise(stretch.before, low)
-    copy_rise(stretch.after, high)
+    copy(stretch.before, low)
+    copy(stretch.after, high)
     sign = 1.0
     if low.rise < 0.0:
         sign = -1.0
@@ -303,62 +295,60 @@ def list_hidden_point(tables: Tables, overlap: Overlap, place: Place):
         if not (step > 0.0 and step < width):
             step = 0.5 * width
         middle.x = low.x + step
-        measure_rise(tables, overlap, place, middle, stretch.wheel)
+        measure_rise(pair, overlap, place, middle, stretch.wheel)
         if sign * middle.rise < 0.0:
             if sign > 0.0:
-                list_turning_point(tables, overlap, place, low.x, middle.x, stretch.wheel)
+                list_turning_point(pair, overlap, place, low.x, middle.x, stretch.wheel)
             else:
-                list_turning_point(tables, overlap, place, middle.x, high.x, stretch.wheel)
+                list_turning_point(pair, overlap, place, middle.x, high.x, stretch.wheel)
             return
         if sign * middle.rate < 0.0:
-            copy_rise(middle, low)
+            copy(middle, low)
         else:
-            copy_rise(middle, high)
+            copy(middle, high)
 
 
 @seldom
-def list_beside_smallest_gap(tables: Tables, overlap: Overlap, side: SideSearch):
+def list_beside_smallest_gap(pair: Pair, overlap: Overlap, side: SideSearch):
     """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
     between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
     times."""
     place = side.place
-    z, slope = height_slope(tables.wheel, side.best_y)
+    z, slope = height_slope(pair.wheel, side.best_y)
     y_track, z_track, outline_slope = outline_point(place, side.best_y, z, slope)
-    x = y_track - tables.rail_y
-    y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, side.best_y,
-                                                                   overlap.height, LINE_SHARP)
+    x = y_track - pair.rail_y
+    meeting = place.meeting
+    found = meet_wheel(pair, place, x, side.best_y, overlap.height, LINE_SHARP)
     deepest = 0.0
     if overlap.count > 0:
         deepest = overlap.points[deepest_entry(overlap)].depth
-    if found and depth > deepest:
+    if found and meeting.overlap > deepest:
         step = FIRST_STEP
-        if rise < 0.0:
+        if meeting.rise < 0.0:
             step = -FIRST_STEP
         far = x
-        while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found:
+        while meeting.rise * step > 0.0 and fabs(far - x) < FAR_STEP and found:
             far += step
-            y, depth, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, far, y,
-                                                                           overlap.height, LINE_SHARP)
+            found = meet_wheel(pair, place, far, meeting.wheel, overlap.height, LINE_SHARP)
             step *= 2.0
         low = x
         high = far
         if far < x:
             low = far
             high = x
-        rail, wheel, depth, turned = turning_point(tables, place, low, high, side.best_y,
-                                                  overlap.height, 1.0)
-        if turned and depth > deepest:
-            append_point(overlap, rail, wheel, depth)
+        rail, turned = turning_point(pair, place, low, high, side.best_y, overlap.height, 1.0)
+        if turned and meeting.overlap > deepest:
+            append_point(overlap, rail, meeting)
             sort_last(overlap)
 
 
 @seldom
-def find_saddles(tables: Tables, overlap: Overlap, place: Place):
+def find_saddles(pair: Pair, overlap: Overlap, place: Place):
     """The smallest overlap between neighbouring deepest points."""
     for entry in range(overlap.count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth, turned = turning_point(tables, place, point.rail, following.rail,
-                                            0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
+        x, turned = turning_point(pair, place, point.rail, following.rail,
+                                  0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
         point.saddle = x
-        point.between = depth
+        point.between = place.meeting.overlap

@@ -27,7 +27,7 @@ with (X, Z) the wheel's point at abscissa y in its present pose.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Frame, Place, Tables, inlined, seldom
+from ..layout import RAIL, WHEEL, Frame, Pair, Place, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
@@ -61,37 +61,26 @@ LEVEL_RISE: Final[float] = 1e-4
 ZERO_RISE: Final[float] = 1e-9
 
 
-@seldom
-def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float,
-                tolerance: float):
-    """As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
-    1/R_x; and whether there is such a point."""
-    y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
-    curvature = 0.0
-    if found:
-        curvature = longitudinal_curvature(tables, place, z, slope, mean_bend(tables, frame, y, bend))
-    return y, overlap, rise, rate, curvature, found
-
-
 @inlined
-def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
-    """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
-    moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
-    derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
-    1/m]; and whether there is such a point."""
-    wheel = tables.wheel
-    z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
+def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: float,
+               tolerance: float) -> bool:
+    """Whether the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
+    ``height``, sought from ``y`` to ``tolerance`` [m]; where is the place's ``meeting``."""
+    meeting = place.meeting
+    meeting.overlap = 0.0
+    wheel = pair.wheel
+    z_rail, m, rail_bend = height_slope_bend(pair.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
     kappa = rail_bend * cosine * cosine * cosine
     for i in range(LINE_ITERATIONS):
         z, slope, bend = height_slope_bend(wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
-        across = y_track - tables.rail_y - abscissa
+        across = y_track - pair.rail_y - abscissa
         down = z_track + height - z_rail
         residual = across + down * m
         along = stretch * (1.0 + m * outline_slope)
         if not (along > 0.0 and stretch > 0.0):
-            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
+            return False
         move = -residual / along
         sharp = tolerance
         if i == LINE_ITERATIONS - 1 and sharp < LINE_JOINT:
@@ -99,7 +88,7 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
         if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
             if not fabs(overlap) < FARTHEST:
-                return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
+                return False
             rise = (outline_slope - m) / (1.0 + m * outline_slope)
             # the angle between both curves changes by the wheel's curvature over its own arc less the rail's
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope)
@@ -108,22 +97,23 @@ def meet_wheel(tables: Tables, place: Place, abscissa: float, y: float, height: 
             # from the wheel's point to the rail's normal: over the rail's tangent the overlap is a curve
             rest = -residual * cosine
             turn = wheel_kappa * steep * sqrt(steep) * rest
-            overlap += rest * (rise + 0.5 * turn)
-            rise += turn
-            y += move
-            z += slope * move
-            slope += bend * move
-            relative_kappa = wheel_kappa * sqrt(steep) - kappa
-            return y, overlap, rise, steep * relative_kappa, z, slope, bend, True
+            meeting.wheel = y + move
+            meeting.overlap = overlap + rest * (rise + 0.5 * turn)
+            meeting.rise = rise + turn
+            meeting.rate = steep * (wheel_kappa * sqrt(steep) - kappa)
+            meeting.z = z + slope * move
+            meeting.slope = slope + bend * move
+            meeting.bend = bend
+            return True
         move = max(min(move, LINE_STEP), -LINE_STEP)
         y += move
         if not (y >= wheel.start and y <= wheel.stop):
-            return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
-    return y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
+            return False
+    return False
 
 
 @seldom
-def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
+def mean_bend(pair: Pair, frame: Frame, y: float, bend: float):
     """Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side
     where that is set.
 
@@ -132,7 +122,7 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
     """
     blur = frame.blur
     if blur > 0.0:
-        wheel = tables.wheel
+        wheel = pair.wheel
         low = y - blur
         high = y + blur
         low = max(low, wheel.start)
@@ -144,14 +134,14 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
 
 
 @seldom
-def pressed_gap(tables: Tables, frame: Frame, station: float):
+def pressed_gap(pair: Pair, frame: Frame, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
     [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
     pressed wheel."""
     frame.place.node_count += 1.0
-    rail = tables.rail
+    rail = pair.rail
     way = station - frame.station
-    abscissa = rail_abscissa(tables, frame.traces[RAIL].abscissa, way)
+    abscissa = rail_abscissa(pair, frame.traces[RAIL].abscissa, way)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0
@@ -159,16 +149,16 @@ def pressed_gap(tables: Tables, frame: Frame, station: float):
     if abscissa >= rail.start and abscissa <= rail.stop:
         trace = frame.traces[WHEEL]
         estimate = trace.abscissa + way * trace.rate
-        y, overlap, rise, rise_rate, found_curvature, found = normal_line(
-            tables, frame, frame.place, abscissa, estimate, frame.height, NODE_SHARP)
-        if found:
-            gap = frame.raised + frame.depth - overlap
-            rate = -rise
-            bend = -rise_rate
-            curvature = found_curvature
+        if meet_wheel(pair, frame.place, abscissa, estimate, frame.height, NODE_SHARP):
+            meeting = frame.place.meeting
+            gap = frame.raised + frame.depth - meeting.overlap
+            rate = -meeting.rise
+            bend = -meeting.rate
+            curvature = longitudinal_curvature(pair.tables, frame.place, meeting.z, meeting.slope,
+                                               mean_bend(pair, frame, meeting.wheel, meeting.bend))
             if fabs(way) > LEAST_WAY:
-                trace.rate = (y - trace.abscissa) / way
-            trace.abscissa = y
+                trace.rate = (meeting.wheel - trace.abscissa) / way
+            trace.abscissa = meeting.wheel
             frame.traces[RAIL].abscissa = abscissa
             frame.station = station
     return gap, rate, bend, curvature
@@ -182,42 +172,39 @@ def limited(step: float, limit: float):
 
 
 @seldom
-def turning_point(tables: Tables, place: Place, low: float, high: float, y: float,
-                  height: float, sign: float):
-    """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
-    abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
-    value: whether the slope changes its sign there: it may do so a little beyond the bracket.
+def turning_point(pair: Pair, place: Place, low: float, high: float, y: float, height: float, sign: float):
+    """Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
+    abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
+    sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
 
     The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
     Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
     is halved.
     """
+    meeting = place.meeting
     x = 0.5 * (low + high)
-    overlap = 0.0
-    rise = 1.0
     before = 0.0
     moved_low = False
     moved_high = False
     for i in range(DEEP_ITERATIONS):
-        y, overlap, rise, bend, z, slope, wheel_bend, found = meet_wheel(tables, place, x, y, height,
-                                                                         LINE_SHARP)
-        if not found:
-            return x, y, overlap, False
-        if sign * rise > 0.0:
+        if not meet_wheel(pair, place, x, y, height, LINE_SHARP):
+            return x, False
+        y = meeting.wheel
+        if sign * meeting.rise > 0.0:
             low = x
             moved_low = True
         else:
             high = x
             moved_high = True
         following = 0.5 * (low + high)
-        if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
-            z_rail, slope = height_slope(tables.rail, x)
-            newton = x - rise / (bend * sqrt(1.0 + slope * slope))
+        if sign * meeting.rate < 0.0 and (i == 0 or fabs(meeting.rise) < 0.5 * before):
+            z_rail, slope = height_slope(pair.rail, x)
+            newton = x - meeting.rise / (meeting.rate * sqrt(1.0 + slope * slope))
             if newton > low and newton < high:
                 following = newton
         if fabs(following - x) < DEEP_SHARP:
             break
         x = following
-        before = fabs(rise)
-    turned = fabs(rise) < ZERO_RISE or (fabs(rise) < LEVEL_RISE and moved_low and moved_high)
-    return x, y, overlap, turned
+        before = fabs(meeting.rise)
+    rise = fabs(meeting.rise)
+    return x, rise < ZERO_RISE or (rise < LEVEL_RISE and moved_low and moved_high)

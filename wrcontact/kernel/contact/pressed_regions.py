@@ -1,11 +1,11 @@
 """The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point."""
 
-from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Place, Region, Regions, SideSearch,
-                      Tables, seldom)
+from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Pair, Place, Region, Regions,
+                      SideSearch, copy, seldom)
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .curves import rail_length
-from .frame import BEYOND, incline_region, keep_frame, locate_along_track, open_frame, use_frame
+from .frame import BEYOND, incline_region, locate_along_track, open_frame
 from .deep_points import deepest_entry
 from .overlaps import find_overlaps
 from .pressed import pressed_gap
@@ -13,12 +13,12 @@ from .traces import start_traces
 
 
 @seldom
-def touching_shift(tables: Tables, place: Place, point: DeepPoint):
+def touching_shift(pair: Pair, place: Place, point: DeepPoint):
     """Lateral and vertical shift [m] that let the wheel just touch at a deepest point."""
-    z, slope = height_slope(tables.wheel, point.wheel)
+    z, slope = height_slope(pair.wheel, point.wheel)
     y_track, z_track, outline_slope = outline_point(place, point.wheel, z, slope)
-    z_rail, m = height_slope(tables.rail, point.rail)
-    return point.rail + tables.rail_y - y_track, z_rail - z_track
+    z_rail, m = height_slope(pair.rail, point.rail)
+    return point.rail + pair.rail_y - y_track, z_rail - z_track
 
 
 @seldom
@@ -32,11 +32,11 @@ def press_frame(frame: Frame, height: float, depth: float, gap: float):
 
 
 @seldom
-def sink_wheel(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, penetration: float):
+def sink_wheel(pair: Pair, frame: Frame, overlap: Overlap, side: SideSearch, penetration: float):
     """Press the wheel of the open frame, which just touches, straight down until its contact point is
     ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail."""
     height = frame.shift + penetration / frame.plane.cos
-    count = find_overlaps(tables, overlap, side, height)
+    count = find_overlaps(pair, overlap, side, height)
     press_frame(frame, height, penetration, 0.0)
     frame.sunk = True
     return count
@@ -50,69 +50,69 @@ def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, 
     """
     height = frame.shift + penetration / frame.plane.cos
     press_frame(frame, height, penetration, 0.0)
-    keep_frame(frame, frames, REGION_LIMIT)
+    copy(frame, frames[REGION_LIMIT])
     for index in range(count):
         region = regions[index]
-        use_frame(frame, frames, index)
+        copy(frames[index], frame)
         press_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
-        keep_frame(frame, frames, index)
-    use_frame(frame, frames, REGION_LIMIT)
+        copy(frame, frames[index])
+    copy(frames[REGION_LIMIT], frame)
 
 
 @seldom
-def open_pressed_region(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
+def open_pressed_region(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0
     region.gap = 0.0
     region.rail = point.rail
     region.wheel = point.wheel
-    z_rail, m = height_slope(tables.rail, point.rail)
-    incline_region(tables, frame, region, m)
+    z_rail, m = height_slope(pair.rail, point.rail)
+    incline_region(pair.tables, frame, region, m)
 
 
 @seldom
-def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
+def give_own_frame(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     """Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
     approach follows from both inclinations."""
     cosine = frame.plane.cos
     abscissa = frame.rail.y
     height = frame.height
     depth = frame.depth
-    aside, shift = touching_shift(tables, frame.place, point)
-    open_frame(tables, frame, frame.place, point.wheel, aside, shift)
+    aside, shift = touching_shift(pair, frame.place, point)
+    open_frame(pair, frame, frame.place, point.wheel, aside, shift)
     region.own = True
     region.alignment = region.cos / cosine
     region.gap = region.alignment * depth - point.depth
-    region.offset = rail_length(tables, abscissa, point.rail)
+    region.offset = rail_length(pair, abscissa, point.rail)
     press_frame(frame, height, point.depth, region.gap)
 
 
 @seldom
-def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap):
+def gather_overlaps(pair: Pair, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap):
     """Open a region for every deepest point on the list, each with its own frame; their number.  The open
     frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
     point where it just touched."""
     count = overlap.count
     contact = deepest_entry(overlap)
-    keep_frame(frame, frames, REGION_LIMIT)
+    copy(frame, frames[REGION_LIMIT])
     for index in range(count):
         region = regions[index]
         point = overlap.points[index]
-        open_pressed_region(tables, frame, region, point)
+        open_pressed_region(pair, frame, region, point)
         if index != contact or frame.sunk:
-            give_own_frame(tables, frame, region, point)
+            give_own_frame(pair, frame, region, point)
         start_traces(frame, 0.0, point.rail, point.wheel)
-        gap, rate, bend, curvature = pressed_gap(tables, frame, 0.0)
+        gap, rate, bend, curvature = pressed_gap(pair, frame, 0.0)
         region.bend = bend
         region.curvature = curvature
         region.low = -BEYOND
         region.high = BEYOND
         if index > 0:
-            region.low = rail_length(tables, point.rail, overlap.points[index - 1].saddle)
+            region.low = rail_length(pair, point.rail, overlap.points[index - 1].saddle)
         if index < count - 1:
-            region.high = rail_length(tables, point.rail, point.saddle)
-        keep_frame(frame, frames, index)
-        use_frame(frame, frames, REGION_LIMIT)
+            region.high = rail_length(pair, point.rail, point.saddle)
+        copy(frame, frames[index])
+        copy(frames[REGION_LIMIT], frame)
     if count > 1:
-        locate_along_track(tables, frame, regions, count)
+        locate_along_track(pair, frame, regions, count)
     return count

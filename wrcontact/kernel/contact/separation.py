@@ -15,7 +15,7 @@ not where the wheelset is.
 
 from math import sqrt
 
-from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, Tables, seldom
+from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, Pair, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope_bend
 from .frame import NO_GAP, normal_gap
@@ -24,24 +24,24 @@ from .pressed import mean_bend, pressed_gap
 
 
 @seldom
-def vertical_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
+def vertical_rise(pair: Pair, frame: Frame, origin: Origin, station: float):
     """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and whether it
     exists."""
     per_station = frame.plane.cos
     lateral = (station - origin.station) * per_station
-    exists = move_across(tables, frame, origin, lateral)
+    exists = move_across(pair, frame, origin, lateral)
     frame.traces[RAIL].abscissa = origin.points[RAIL].y + lateral
-    if within(tables, RAIL, frame.traces[RAIL].abscissa) != frame.traces[RAIL].abscissa:
+    if within(pair, RAIL, frame.traces[RAIL].abscissa) != frame.traces[RAIL].abscissa:
         exists = False
-    across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, frame, origin, RAIL,
+    across, rail_down, rail_slope, along, rail_bend = curve_jet(pair, frame, origin, RAIL,
                                                                 frame.traces[RAIL].abscissa)
-    across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
+    across, down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
     bend = rail_bend - bend / stretch
     return rail_down - down, (rail_slope - slope) * per_station, bend * per_station * per_station, exists
 
 
 @seldom
-def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
+def equidistant_rise(pair: Pair, frame: Frame, origin: Origin, station: float):
     """Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed,
     its rate [-] and bend [1/m] over the stations, and whether it exists.
 
@@ -51,13 +51,13 @@ def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: floa
 
     of which the last term is of third order in s.
     """
-    on_rail = move_to_station(tables, frame, origin, RAIL, station)
-    on_wheel = move_to_station(tables, frame, origin, WHEEL, station)
-    across, down, slope, stretch, bend = curve_jet(tables, frame, origin, RAIL, frame.traces[RAIL].abscissa)
+    on_rail = move_to_station(pair, frame, origin, RAIL, station)
+    on_wheel = move_to_station(pair, frame, origin, WHEEL, station)
+    across, down, slope, stretch, bend = curve_jet(pair, frame, origin, RAIL, frame.traces[RAIL].abscissa)
     rail_cos = 1.0 / sqrt(1.0 + slope * slope)
     rail_sin = slope * rail_cos
     rail_curvature = bend * rail_cos * rail_cos * rail_cos
-    wheel_across, wheel_down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL,
+    wheel_across, wheel_down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL,
                                                                frame.traces[WHEEL].abscissa)
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope)
     wheel_sin = slope * wheel_cos
@@ -76,10 +76,10 @@ def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: floa
 
 
 @seldom
-def depth_lost(tables: Tables, frame: Frame):
+def depth_lost(pair: Pair, frame: Frame):
     """How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
     pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-]."""
-    height, slope, bend = height_slope_bend(tables.rail, frame.traces[RAIL].abscissa)
+    height, slope, bend = height_slope_bend(pair.rail, frame.traces[RAIL].abscissa)
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     along = cosine * (frame.plane.cos + slope * frame.plane.sin)
     across = cosine * (slope * frame.plane.cos - frame.plane.sin)
@@ -87,40 +87,40 @@ def depth_lost(tables: Tables, frame: Frame):
 
 
 @seldom
-def moved_separation(tables: Tables, frame: Frame, origin: Origin, station: float, kind: int):
+def moved_separation(pair: Pair, frame: Frame, origin: Origin, station: float, kind: int):
     """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
     region's minimum."""
     frame.place.node_count += 1.0
     if kind == SEPARATION_VERTICAL:
-        gap, rate, bend, exists = vertical_rise(tables, frame, origin, station)
+        gap, rate, bend, exists = vertical_rise(pair, frame, origin, station)
     else:
-        gap, rate, bend, exists = equidistant_rise(tables, frame, origin, station)
+        gap, rate, bend, exists = equidistant_rise(pair, frame, origin, station)
     frame.station = station
     gap += origin.gap
     if frame.pressed and kind != SEPARATION_VERTICAL:
-        lost, more = depth_lost(tables, frame)
+        lost, more = depth_lost(pair, frame)
         gap += lost
         rate += more
     if not exists:
         gap = NO_GAP
     y = frame.traces[WHEEL].abscissa
-    z, slope, wheel_bend = height_slope_bend(tables.wheel, y)
-    wheel_bend = mean_bend(tables, frame, y, wheel_bend)
-    curvature = longitudinal_curvature(tables, frame.place, z, slope, wheel_bend)
+    z, slope, wheel_bend = height_slope_bend(pair.wheel, y)
+    wheel_bend = mean_bend(pair, frame, y, wheel_bend)
+    curvature = longitudinal_curvature(pair.tables, frame.place, z, slope, wheel_bend)
     return gap, rate, bend, curvature
 
 
-def separation(tables: Tables, frame: Frame, origin: Origin, station: float, tolerance: float):
+def separation(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
     """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
     measured as chosen; NO_GAP where a profile has ended.
 
     ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
     """
-    kind = tables.separation
+    kind = pair.tables.separation
     if kind == SEPARATION_NORMAL and not frame.pressed:
-        gap, rate, bend, curvature = normal_gap(tables, frame, station, tolerance)
+        gap, rate, bend, curvature = normal_gap(pair, frame, station, tolerance)
     elif kind == SEPARATION_NORMAL:
-        gap, rate, bend, curvature = pressed_gap(tables, frame, station)
+        gap, rate, bend, curvature = pressed_gap(pair, frame, station)
     else:
-        gap, rate, bend, curvature = moved_separation(tables, frame, origin, station, kind)
+        gap, rate, bend, curvature = moved_separation(pair, frame, origin, station, kind)
     return gap, rate, bend, curvature

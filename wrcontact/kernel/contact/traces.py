@@ -10,7 +10,7 @@ small residual.
 from math import fabs
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Direction, Frame, Point, Profile, Tables, Trace
+from ..layout import RAIL, WHEEL, Direction, Frame, Pair, Point, Profile, Trace
 from ..surface.locus import outline_jet
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope_bend
@@ -76,15 +76,15 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
             ordinate_bend, slope + move * bend, height + move * slope, exists)
 
 
-def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
+def trace_rail(pair: Pair, frame: Frame, station: float, tolerance: float):
     """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
     it exists."""
-    ordinate, rate, bend, slope, height, exists = trace_profile(frame, tables.rail, frame.rail, frame.plane,
+    ordinate, rate, bend, slope, height, exists = trace_profile(frame, pair.rail, frame.rail, frame.plane,
                                                                 frame.traces[RAIL], station, tolerance)
     return ordinate, rate, bend, exists
 
 
-def trace_wheel(tables: Tables, frame: Frame, station: float, tolerance: float):
+def trace_wheel(pair: Pair, frame: Frame, station: float, tolerance: float):
     """Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
     ``station``; and whether it exists.
 
@@ -93,24 +93,24 @@ def trace_wheel(tables: Tables, frame: Frame, station: float, tolerance: float):
     place = frame.place
     if not place.yawed:
         lifted = station - frame.lift * frame.plane.sin
-        ordinate, rate, bend, slope, z, exists = trace_profile(frame, tables.wheel, frame.wheel,
+        ordinate, rate, bend, slope, z, exists = trace_profile(frame, pair.wheel, frame.wheel,
                                                                frame.wheel_plane, frame.traces[WHEEL], lifted,
                                                                tolerance)
         ordinate -= frame.lift * frame.plane.cos
-        curvature = longitudinal_curvature(tables, place, z, slope, bend)
+        curvature = longitudinal_curvature(pair.tables, place, z, slope, bend)
     else:
-        ordinate, rate, bend, curvature, exists = trace_outline(tables, frame, station, tolerance)
+        ordinate, rate, bend, curvature, exists = trace_outline(pair, frame, station, tolerance)
     return ordinate, rate, bend, curvature, exists
 
 
-def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float):
+def trace_outline(pair: Pair, frame: Frame, station: float, tolerance: float):
     """``trace_wheel`` with yaw."""
-    wheel = tables.wheel
+    wheel = pair.wheel
     place = frame.place
     trace = frame.traces[WHEEL]
     cosine = frame.plane.cos
     sine = frame.plane.sin
-    left = tables.rail_y + frame.rail.y - frame.aside
+    left = pair.rail_y + frame.rail.y - frame.aside
     above = frame.shift - frame.rail.z
     y = first_abscissa(trace, station - frame.station)
     exists = False
@@ -145,6 +145,6 @@ def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float
     trace.abscissa = y + move
     trace.rate = per_along * per_stretch
     trace.bend = ordinate_bend * sine * per_stretch
-    curvature = longitudinal_curvature(tables, place, z + move * slope, slope + move * bend, bend)
+    curvature = longitudinal_curvature(pair.tables, place, z + move * slope, slope + move * bend, bend)
     ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend)
     return ordinate, rate - excess * ordinate_bend, ordinate_bend, curvature, exists

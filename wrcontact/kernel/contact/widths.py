@@ -5,7 +5,7 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Region, Tables
+from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Pair, Region
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
@@ -43,7 +43,7 @@ def width_tolerance(estimate: float):
     return tolerance
 
 
-def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
+def zone_width(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
                estimate: float):
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
     bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
@@ -53,7 +53,7 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, dir
     """
     limit = width_limit(region, direction)
     start_traces(frame, region.station, region.rail, region.wheel)
-    open_origin(tables, frame, origin, region, 0.0)
+    open_origin(pair, frame, origin, region, 0.0)
     tolerance = width_tolerance(estimate)
     root = sqrt(level)
     low = 0.0
@@ -68,7 +68,7 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, dir
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
         width = min(width, limit)
-        gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
+        gap, rate, bend, curvature = separation(pair, frame, origin, region.station + direction * width,
                                                 tolerance)
         if gap >= NO_GAP:
             # beyond an end the traces are lost
@@ -103,7 +103,7 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, dir
     return width
 
 
-def measure_widths(tables: Tables, contact: Contact, region: Region, local_penetration: float):
+def measure_widths(pair: Pair, contact: Contact, region: Region, local_penetration: float):
     """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
     both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
@@ -114,18 +114,18 @@ def measure_widths(tables: Tables, contact: Contact, region: Region, local_penet
         grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
-    high = zone_width(tables, contact.frame, contact.origin, region, 1.0, local_penetration, high)
+    high = zone_width(pair, contact.frame, contact.origin, region, 1.0, local_penetration, high)
     high_reached = region.reached
     slant = 0.0
     start = contact.frame.station
     yawed = is_yawed(contact.frame)
     if yawed:
-        slant = outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
+        slant = outline_x(pair, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
     if not region.width_penetration > 0.0:
         low = high
-    low = zone_width(tables, contact.frame, contact.origin, region, -1.0, local_penetration, low)
+    low = zone_width(pair, contact.frame, contact.origin, region, -1.0, local_penetration, low)
     if yawed:
-        slant -= outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
+        slant -= outline_x(pair, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
         if start > contact.frame.station:
             region.slant = slant / (start - contact.frame.station)
     region.side_high = side_curvature(high_reached, high, 0.5 * (low + high))

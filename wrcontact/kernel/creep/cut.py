@@ -37,7 +37,6 @@ def cut_patch(patch: Patch, strips: SolvedStrips):
             cut_strips(patch, strips)
     finish_strips(patch)
     plane_slips(patch)
-    clear_creep(patch)
 
 
 def clear_creep(patch: Patch):

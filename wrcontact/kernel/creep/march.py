@@ -29,7 +29,7 @@ of all of them, and compilers do several strips at once.
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, RollingMarch, RollingMarches, RollingTable
+from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, RollingMarch, RollingMarches, RollingTable, clear
 from .tractions import cut_to
 
 #: Where a step's spin is taken, in short patches, and how much later in long ones; eq. (M4).
@@ -50,24 +50,7 @@ NOTHING: Final[float] = 1e-300
 
 def open_marches(marches: RollingMarches, ratio: float):
     """Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b."""
-    for i in range(ROLLING_STRIP_LIMIT):
-        marches.push_x[i] = 0.0
-        marches.push_y[i] = 0.0
-        marches.push_turn[i] = 0.0
-        marches.centre_x[i] = 0.0
-        marches.centre_y[i] = 0.0
-        marches.centre_turn[i] = 0.0
-        marches.lag[i] = 0.0
-        marches.slips[i] = 0.0
-        marches.noted[i] = 0.0
-        marches.first_x[i] = 0.0
-        marches.first_y[i] = 0.0
-        marches.second_x[i] = 0.0
-        marches.second_y[i] = 0.0
-        marches.sum_x[i] = 0.0
-        marches.sum_y[i] = 0.0
-        marches.sum_moment[i] = 0.0
-        marches.largest[i] = 0.0
+    clear(marches)
     for q in range(POINT_LIMIT):
         marches.at_point[q] = -1.0
     square = ratio / SHARE_RATIO * (ratio / SHARE_RATIO)

@@ -18,7 +18,7 @@ Each wheel has its equation in its own frame, in which the left side is mirrored
 from math import cos, fabs, sin
 
 from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, ContactPoint,
-                      Forces, Inputs, Motion, RailMotion, Tables, Wheelset)
+                      Forces, Inputs, Motion, Pair, RailMotion, Tables, Wheelset)
 
 
 def is_moderate(inputs: Inputs) -> bool:
@@ -71,21 +71,21 @@ def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheels
     motion.centre_z = wheelset.vertical_shift - tables.height
 
 
-def open_left_rail(tables: Tables, rail: RailMotion, inputs: Inputs):
+def open_left_rail(pair: Pair, rail: RailMotion, inputs: Inputs):
     """What the inputs say of the left rail, which rolls about its highest point; mirrored."""
     rail.lateral = -inputs.left_rail_lateral_velocity
     rail.vertical = inputs.left_rail_vertical_velocity
     rail.roll = -inputs.left_rail_roll_velocity
-    rail.y = tables.rail_y - inputs.left_rail_lateral
+    rail.y = pair.rail_y - inputs.left_rail_lateral
     rail.z = inputs.left_rail_vertical
 
 
-def open_right_rail(tables: Tables, rail: RailMotion, inputs: Inputs):
+def open_right_rail(pair: Pair, rail: RailMotion, inputs: Inputs):
     """The same of the right rail."""
     rail.lateral = inputs.right_rail_lateral_velocity
     rail.vertical = inputs.right_rail_vertical_velocity
     rail.roll = inputs.right_rail_roll_velocity
-    rail.y = tables.rail_y + inputs.right_rail_lateral
+    rail.y = pair.rail_y + inputs.right_rail_lateral
     rail.z = inputs.right_rail_vertical
 
 

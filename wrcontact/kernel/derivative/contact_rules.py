@@ -10,7 +10,7 @@ from ..contact.pressed import LINE_SHARP, meet_wheel
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.widths import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
-from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Place, Region, SideSearch, Tables, Work
+from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Pair, Place, Region, SideSearch, Tables, Work
 from ..normal.analyn import load_regions, region_influence, region_load, solve_penetrations
 from ..normal.strip_pressures import eliminate
 from ..surface.locus import outline_jet
@@ -18,71 +18,71 @@ from ..surface.tables import height_slope_bend
 from .intrinsics import differentiated, held, moving, rate_of, seeded
 
 
-def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
+def width_rule(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
                estimate: float):
     """``zone_width``: its Newton steps are followed as they are. A width that halving has found ends where a
     profile ends, and stays on that point; or else where the gap has risen by ``level``."""
-    width = differentiated(zone_width(tables, frame, origin, region, direction, level, estimate))
+    width = differentiated(zone_width(pair, frame, origin, region, direction, level, estimate))
     limit = width_limit(region, direction)
     if width < limit and region.reached != level:
         inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
         tolerance = width_tolerance(held(estimate))
-        gap, rate = width_jet(tables, frame, origin, region, direction, inner, tolerance)
+        gap, rate = width_jet(pair, frame, origin, region, direction, inner, tolerance)
         rail_rate = rate_of(frame.traces[RAIL].abscissa)
         wheel_rate = rate_of(frame.traces[WHEEL].abscissa)
         missing = rate_of(level - gap + region.gap)
         moved = 0.0
         if rate * direction > 0.0:
             moved = missing / held(rate * direction)
-        gap, rate = width_jet(tables, frame, origin, region, direction, seeded(inner, 1.0), tolerance)
+        gap, rate = width_jet(pair, frame, origin, region, direction, seeded(inner, 1.0), tolerance)
         x = frame.traces[RAIL].abscissa
         y = frame.traces[WHEEL].abscissa
         out = rate_of(x) - rail_rate
-        if out != 0.0 and (x < tables.rail.start + WIDTH_TRACE or x > tables.rail.stop - WIDTH_TRACE):
+        if out != 0.0 and (x < pair.rail.start + WIDTH_TRACE or x > pair.rail.stop - WIDTH_TRACE):
             moved = -rail_rate / out
         out = rate_of(y) - wheel_rate
-        if out != 0.0 and (y < tables.wheel.start + WIDTH_TRACE or y > tables.wheel.stop - WIDTH_TRACE):
+        if out != 0.0 and (y < pair.wheel.start + WIDTH_TRACE or y > pair.wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
-        gap, rate = width_jet(tables, frame, origin, region, direction, seeded(inner, moved), tolerance)
+        gap, rate = width_jet(pair, frame, origin, region, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
         region.reached = moving(region.reached, gap - region.gap)
     return width
 
 
-def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, direction: float, width: float,
+def width_jet(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, width: float,
               tolerance: float):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
     ``zone_width`` measures it."""
     start_traces(frame, region.station, region.rail, region.wheel)
-    gap, rate, bend, curvature = separation(tables, frame, origin, region.station + direction * width,
+    gap, rate, bend, curvature = separation(pair, frame, origin, region.station + direction * width,
                                             tolerance)
     return gap, rate
 
 
-def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float) -> bool:
+def arc_rule(pair: Pair, frame: Frame, origin: Origin, curve: int, length: float) -> bool:
     """``move_arc``: the arc from the old abscissa to the new one has the given length."""
     start = frame.traces[curve].abscissa
-    exists = move_arc(tables, frame, origin, curve, length)
+    exists = move_arc(pair, frame, origin, curve, length)
     if exists:
         u = held(frame.traces[curve].abscissa)
-        place = length / held(curve_speed(tables, frame, origin, curve, u))
+        place = length / held(curve_speed(pair, frame, origin, curve, u))
         if u == start:
             place = start + place
         else:
-            place -= arc_length(tables, frame, origin, curve, start,
-                                u) / held(curve_speed(tables, frame, origin, curve, u))
+            place -= arc_length(pair, frame, origin, curve, start,
+                                u) / held(curve_speed(pair, frame, origin, curve, u))
         frame.traces[curve].abscissa = moving(u, place)
     return exists
 
 
-def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float) -> bool:
+def chord_rule(pair: Pair, frame: Frame, origin: Origin, curve: int, chord: float) -> bool:
     """``move_chord``: both abscissae are a chord apart."""
     start = frame.traces[curve].abscissa
-    from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
-    exists = move_chord(tables, frame, origin, curve, chord)
+    from_across, from_down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, start)
+    exists = move_chord(pair, frame, origin, curve, chord)
     if exists:
         u = held(frame.traces[curve].abscissa)
-        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
+        across, down, slope, stretch, bend = curve_jet(pair, frame, origin, curve, u)
         across -= from_across
         down -= from_down
         length = sqrt(across * across + down * down)
@@ -91,62 +91,65 @@ def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: 
     return exists
 
 
-def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float) -> bool:
+def across_rule(pair: Pair, frame: Frame, origin: Origin, lateral: float) -> bool:
     """``move_across``: the wheel's outline is at the given lateral coordinate."""
-    exists = move_across(tables, frame, origin, lateral)
+    exists = move_across(pair, frame, origin, lateral)
     if exists:
         u = held(frame.traces[WHEEL].abscissa)
-        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
+        across, down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL, u)
         frame.traces[WHEEL].abscissa = moving(u, -(across - lateral) / held(stretch))
     return exists
 
 
-def meet_rule(tables: Tables, place: Place, abscissa: float, y: float, height: float, tolerance: float):
+def meet_rule(pair: Pair, place: Place, abscissa: float, y: float, height: float,
+              tolerance: float) -> bool:
     """``meet_wheel``: the wheel's point lies on the rail's normal."""
-    y, overlap, rise, rate, z, slope, bend, found = meet_wheel(tables, place, abscissa, y, height, tolerance)
+    found = meet_wheel(pair, place, abscissa, y, height, tolerance)
     if found:
-        z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
-        z, slope, bend = height_slope_bend(tables.wheel, y)
+        y = held(place.meeting.wheel)
+        z_rail, m, rail_bend = height_slope_bend(pair.rail, abscissa)
+        z, slope, bend = height_slope_bend(pair.wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
-        residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
+        residual = y_track - pair.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
-        y, overlap, rise, rate, z, slope, bend, found = differentiated(meet_wheel(tables, place, abscissa, y,
-                                                                                  height, tolerance))
-    return y, overlap, rise, rate, z, slope, bend, found
+        differentiated(meet_wheel(pair, place, abscissa, y, height, tolerance))
+    return found
 
 
-def turning_rule(tables: Tables, place: Place, x: float, y: float, height: float):
+def turning_rule(pair: Pair, place: Place, x: float, y: float, height: float):
     """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the
     overlap: its rate is zero there."""
+    meeting = place.meeting
     x = held(x)
+    y = held(y)
     found_x = x
-    y, overlap, rise, rate, z, slope, bend, found = meet_rule(tables, place, x, held(y), height,
-                                                              LINE_SHARP)
-    if found:
-        y, overlap, more, rate, z, slope, bend, found = meet_rule(tables, place, seeded(x, 1.0), held(y),
-                                                                  height, LINE_SHARP)
-        change = rate_of(more) - rate_of(rise)
+    overlap = 0.0
+    if meet_rule(pair, place, x, y, height, LINE_SHARP):
+        rise = meeting.rise
+        meet_rule(pair, place, seeded(x, 1.0), held(meeting.wheel), height, LINE_SHARP)
+        change = rate_of(meeting.rise) - rate_of(rise)
         if change != 0.0:
             found_x = moving(x, -rise / change)
-        y, overlap, more, rate, z, slope, bend, found = meet_rule(tables, place, found_x, held(y), height,
-                                                                  LINE_SHARP)
-    return found_x, y, overlap, found
+        meet_rule(pair, place, found_x, held(meeting.wheel), height, LINE_SHARP)
+        y = meeting.wheel
+        overlap = meeting.overlap
+    return found_x, y, overlap
 
 
-def overlaps_rule(tables: Tables, overlap: Overlap, side: SideSearch, height: float):
+def overlaps_rule(pair: Pair, overlap: Overlap, side: SideSearch, height: float):
     """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
-    count = find_overlaps(tables, overlap, side, height)
+    count = find_overlaps(pair, overlap, side, height)
     for entry in range(count):
         point = overlap.points[entry]
-        x, y, depth, found = turning_rule(tables, side.place, point.rail, point.wheel, height)
+        x, y, depth = turning_rule(pair, side.place, point.rail, point.wheel, height)
         point.rail = moving(point.rail, x)
         point.wheel = moving(point.wheel, y)
         point.depth = moving(point.depth, depth)
     for entry in range(count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth, found = turning_rule(tables, side.place, point.saddle,
-                                          0.5 * (point.wheel + following.wheel), height)
+        x, y, depth = turning_rule(pair, side.place, point.saddle, 0.5 * (point.wheel + following.wheel),
+                                   height)
         point.saddle = moving(point.saddle, x)
         point.between = moving(point.between, depth)
     return count

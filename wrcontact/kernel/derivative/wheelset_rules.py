@@ -30,16 +30,16 @@ from ..wheelset.trial import balance_side
 from .intrinsics import held, moving, rate_of, seeded
 
 
-def place_moving(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
+def place_moving(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
-    place_both(left_tables, right_tables, work.inputs, work.sides, roll)
+    place_both(tables, work.inputs, work.sides, roll)
     if work.sides[1].place.leaning:
         begin_yaw(work, roll)
     else:
         turning = fabs(rate_of(work.inputs.left_rail_roll)) + fabs(rate_of(work.inputs.right_rail_roll))
         begin_yaw(work, roll)
         if turning != 0.0:
-            lean_both(left_tables, right_tables, work.inputs, work.sides, roll)
+            lean_both(tables, work.inputs, work.sides, roll)
 
 
 def begin_yaw(work: Work, roll: float):
@@ -63,52 +63,53 @@ def begin_yaw(work: Work, roll: float):
 def follow_minimum(tables: Tables, work: Work, index: int):
     """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of
     wheel and rail agree, mismatch(y) = 0."""
+    pair = tables.pairs[index]
     side = work.sides[index]
     at = work.sides[index].place
     y = held(side.best_y)
-    gap, mismatch, rate = vertical_gap(tables, at, y)
+    gap, mismatch, rate = vertical_gap(pair, at, y)
     y = moving(y, -mismatch / held(rate))
-    gap, mismatch, rate = vertical_gap(tables, at, y)
+    gap, mismatch, rate = vertical_gap(pair, at, y)
     side.best_y = y
     side.best = moving(side.best, gap)
 
 
-def follow_roll(left_tables: Tables, right_tables: Tables, work: Work):
+def follow_roll(tables: Tables, work: Work):
     """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for
     how it follows the roll."""
     roll = held(work.wheelset.roll)
-    place_moving(left_tables, right_tables, work, roll)
+    place_moving(tables, work, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
-    gap_left, mismatch_left, rate_left = vertical_gap(left_tables, work.sides[0].place, left)
-    gap_right, mismatch_right, rate_right = vertical_gap(right_tables, work.sides[1].place, right)
-    lever = (gap_per_roll(right_tables, work.sides[1].place, right)
-             + gap_per_roll(left_tables, work.sides[0].place, left))
+    gap_left, mismatch_left, rate_left = vertical_gap(tables.pairs[0], work.sides[0].place, left)
+    gap_right, mismatch_right, rate_right = vertical_gap(tables.pairs[1], work.sides[1].place, right)
+    lever = (gap_per_roll(tables.pairs[1], work.sides[1].place, right)
+             + gap_per_roll(tables.pairs[0], work.sides[0].place, left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
-def follow_gaps(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float):
+def follow_gaps(tables: Tables, work: Work, roll: float, height: float):
     """How much lower than ``height`` [m] the smallest gaps of the left and the right side are [m], for this
     ``roll`` and this reference."""
     set_reference(work.sides, height)
-    place_moving(left_tables, right_tables, work, roll)
-    left, mismatch, rate = vertical_gap(left_tables, work.sides[0].place, held(work.sides[0].best_y))
-    right, mismatch, rate = vertical_gap(right_tables, work.sides[1].place, held(work.sides[1].best_y))
+    place_moving(tables, work, roll)
+    left, mismatch, rate = vertical_gap(tables.pairs[0], work.sides[0].place, held(work.sides[0].best_y))
+    right, mismatch, rate = vertical_gap(tables.pairs[1], work.sides[1].place, held(work.sides[1].best_y))
     return left - height, right - height
 
 
-def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
+def follow_leaning_roll(tables: Tables, work: Work):
     """The rigid roll [rad] over rolled rails: roll and vertical shift let both gaps end at the reference,
     which moves with them."""
     roll = held(work.wheelset.roll)
     height = held(work.wheelset.vertical_shift)
-    left, right = follow_gaps(left_tables, right_tables, work, roll, height)
+    left, right = follow_gaps(tables, work, roll, height)
     residual_left = rate_of(left)
     residual_right = rate_of(right)
-    left, right = follow_gaps(left_tables, right_tables, work, roll, seeded(height, 1.0))
+    left, right = follow_gaps(tables, work, roll, seeded(height, 1.0))
     left_height = rate_of(left) - residual_left
     right_height = rate_of(right) - residual_right
-    left, right = follow_gaps(left_tables, right_tables, work, seeded(roll, 1.0), height)
+    left, right = follow_gaps(tables, work, seeded(roll, 1.0), height)
     left_roll = rate_of(left) - residual_left
     right_roll = rate_of(right) - residual_right
     determinant = left_height * right_roll - right_height * left_roll
@@ -118,17 +119,17 @@ def follow_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work):
     return seeded(roll, roll_rate)
 
 
-def follow_position(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float):
+def follow_position(tables: Tables, work: Work, roll: float, height: float):
     """Both sides of an elastic wheelset at ``roll`` and ``height``, each under its load."""
     set_reference(work.sides, height)
-    place_moving(left_tables, right_tables, work, roll)
-    follow_minimum(left_tables, work, 0)
-    balance_side(left_tables, work, 0, side_force(work, 0), height)
-    follow_minimum(right_tables, work, 1)
-    balance_side(right_tables, work, 1, side_force(work, 1), height)
+    place_moving(tables, work, roll)
+    follow_minimum(tables, work, 0)
+    balance_side(tables, work, 0, side_force(work, 0), height)
+    follow_minimum(tables, work, 1)
+    balance_side(tables, work, 1, side_force(work, 1), height)
 
 
-def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
+def follow_elastic(tables: Tables, work: Work) -> bool:
     """The elastic position: the residuals of both sides' heights vanish, over height and roll.
 
     Whether it does not: then the wheelset is where a side's load jumps past its force
@@ -138,15 +139,15 @@ def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work) -> boo
     height = work.wheelset.vertical_shift
     left = work.supports[0]
     right = work.supports[1]
-    follow_position(left_tables, right_tables, work, held(roll), held(height))
+    follow_position(tables, work, held(roll), held(height))
     if fabs(left.height - height) + fabs(right.height - height) > UNBALANCED:
         return True
     residual_left = rate_of(left.height)
     residual_right = rate_of(right.height)
-    follow_position(left_tables, right_tables, work, held(roll), seeded(height, 1.0))
+    follow_position(tables, work, held(roll), seeded(height, 1.0))
     left_height = rate_of(left.height) - residual_left - 1.0
     right_height = rate_of(right.height) - residual_right - 1.0
-    follow_position(left_tables, right_tables, work, seeded(roll, 1.0), held(height))
+    follow_position(tables, work, seeded(roll, 1.0), held(height))
     left_roll = rate_of(left.height) - residual_left
     right_roll = rate_of(right.height) - residual_right
     determinant = left_height * right_roll - right_height * left_roll
@@ -154,37 +155,37 @@ def follow_elastic(left_tables: Tables, right_tables: Tables, work: Work) -> boo
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
-    follow_position(left_tables, right_tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
+    follow_position(tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
     return False
 
 
-def follow_compliant(left_tables: Tables, right_tables: Tables, work: Work):
+def follow_compliant(tables: Tables, work: Work):
     """Both sides of a wheelset at the height and roll of the inputs."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
-    place_moving(left_tables, right_tables, work, roll)
+    place_moving(tables, work, roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = height
-    if is_damped(right_tables):
-        open_given_motion(left_tables, right_tables, work)
-    follow_minimum(left_tables, work, 0)
-    load_at_height(left_tables, work, 0, height)
-    follow_minimum(right_tables, work, 1)
-    load_at_height(right_tables, work, 1, height)
+    if is_damped(tables):
+        open_given_motion(tables, work)
+    follow_minimum(tables, work, 0)
+    load_at_height(tables, work, 0, height)
+    follow_minimum(tables, work, 1)
+    load_at_height(tables, work, 1, height)
 
 
-def differentiate(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
+def differentiate(tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
     left it; whether the rates are not defined (``follow_elastic``)."""
-    outcome = follow_wheelset(left_tables, right_tables, work)
-    if carries_friction(right_tables, work):
+    outcome = follow_wheelset(tables, work)
+    if carries_friction(tables, work):
         for i in range(LOAD_RATES):
             follow_load(work)
-            outcome = follow_wheelset(left_tables, right_tables, work)
-    report(right_tables, work)
+            outcome = follow_wheelset(tables, work)
+    report(tables, work)
     return outcome
 
 
@@ -198,24 +199,24 @@ def follow_load(work: Work):
                                        - held(support.friction_load) * rate_of(share) / held(share))
 
 
-def follow_wheelset(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
+def follow_wheelset(tables: Tables, work: Work) -> bool:
     """Contact of both wheels, resultant, creepages and creep forces with their rates; whether the rates are
     not defined."""
-    mode = right_tables.mode
+    mode = tables.mode
     outcome = False
     if mode == MODE_RIGID:
-        roll = follow_roll(left_tables, right_tables, work)
+        roll = follow_roll(tables, work)
         if work.sides[1].place.leaning:
-            roll = follow_leaning_roll(left_tables, right_tables, work)
-        place_moving(left_tables, right_tables, work, roll)
-        follow_minimum(left_tables, work, 0)
-        follow_minimum(right_tables, work, 1)
-        solve_rigid(left_tables, right_tables, work, roll)
+            roll = follow_leaning_roll(tables, work)
+        place_moving(tables, work, roll)
+        follow_minimum(tables, work, 0)
+        follow_minimum(tables, work, 1)
+        solve_rigid(tables, work, roll)
     if mode == MODE_ELASTIC:
-        outcome = follow_elastic(left_tables, right_tables, work)
+        outcome = follow_elastic(tables, work)
     if mode == MODE_COMPLIANT:
-        follow_compliant(left_tables, right_tables, work)
-    move_patches(left_tables, right_tables, work)
-    rub_patches(left_tables, right_tables, work)
-    sum_forces(right_tables, work)
+        follow_compliant(tables, work)
+    move_patches(tables, work)
+    rub_patches(tables, work)
+    sum_forces(tables, work)
     return outcome

@@ -2,24 +2,23 @@
 #include "constants.h"
 
 /* contact/curves.py */
-static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t curve);
-static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d work, array_double_1d tables, int64_t curve, double u);
-static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double_1d tables, int64_t curve, double u);
-static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, double u);
-static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double_1d tables, int64_t curve, double u);
-static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_double_1d tables, int64_t region, double spacing);
-static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high);
-static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop);
-static OUT_OF_LINE double curves__rail_length(array_double_1d tables, double start, double stop);
-static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double start, double length);
-static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length);
-static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord);
-static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station);
-static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1d tables, double lateral);
+static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t pair, int64_t curve);
+static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
+static OUT_OF_LINE double curves__curve_speed(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
+static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t pair, int64_t curve, double u);
+static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
+static OUT_OF_LINE int64_t curves__open_origin(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double spacing);
+static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double low, double high);
+static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop);
+static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop);
+static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length);
+static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length);
+static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord);
+static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station);
+static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double_1d work, int64_t pair, double lateral);
 
 /* contact/deep_points.py */
-static OUT_OF_LINE int64_t deep_points__copy_point(array_double_1d work, int64_t point, int64_t copy);
-static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, double wheel, double depth);
+static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, int64_t meeting);
 static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work);
 static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x);
 static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work);
@@ -29,84 +28,80 @@ static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64
 static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work);
 static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept);
-static inline int64_t deep_points__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height);
-static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height);
+static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
+static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
 
 /* contact/frame.py */
-static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift);
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
+static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift);
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline bool frame__is_yawed(array_double_1d work);
-static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot);
-static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot);
-static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count);
+static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region);
 static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables);
+static inline int64_t frame__measure_contact(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
-static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry);
-static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry);
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
+static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
+static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry);
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
 
 /* contact/overlaps.py */
-static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
+static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate);
-static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t overlaps__copy_rise(array_double_1d work, int64_t point, int64_t copy);
-static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, double y);
-static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y);
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step);
-static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_double_1d tables, int64_t place);
+static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, double y);
+static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y);
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double step);
+static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double parts);
 static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share);
-static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, array_double_1d tables, int64_t place);
-static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest);
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side);
-static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place);
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height);
+static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
+static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
 
 /* contact/pressed.py */
-static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance);
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station);
+static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance);
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign);
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
-static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t point);
+static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration);
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
-static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables);
+static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
+static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair);
 
 /* contact/separation.py */
-static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
-static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station);
-static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables);
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind);
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance);
+static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair);
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind);
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/traces.py */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away);
 static inline int64_t traces__trace_profile(double* result_0, double* result_1, double* ordinate_bend, double* result_3, double* result_4, bool* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
-static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance);
-static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance);
-static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance);
+static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/widths.py */
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate);
+static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
 static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration);
+static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 
 
 /* ---- From contact/curves.py; change that one.
@@ -130,13 +125,13 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
  */
 
 /* The profile of a curve. */
-static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t curve)
+static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t pair, int64_t curve)
 {
     int64_t profile;
-    profile = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    profile = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     if (curve == layout__RAIL)
     {
-        profile = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+        profile = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     }
     return profile;
 }
@@ -144,12 +139,12 @@ static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t
 /* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
  * ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m].
  */
-static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d work, array_double_1d tables, int64_t curve, double u)
+static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
     double z;
     double y_track;
     double z_track;
-    tables__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, curve), u);
+    tables__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, pair, curve), u);
     (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
     (*stretch) = 1.0;
@@ -165,7 +160,7 @@ static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, doubl
 /* Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
  * change it.
  */
-static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double_1d tables, int64_t curve, double u)
+static OUT_OF_LINE double curves__curve_speed(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
     double z;
     double slope;
@@ -177,22 +172,22 @@ static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double
     speed = 1.0;
     if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
-        tables__height_slope(&z, &slope, tables, curves__curve_profile(tables, curve), u);
+        tables__height_slope(&z, &slope, tables, curves__curve_profile(tables, pair, curve), u);
         speed = sqrt(1.0 + slope * slope);
     }
     else
     {
-        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);
+        curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, curve, u);
         speed = stretch * sqrt(1.0 + slope * slope);
     }
     return speed;
 }
 
 /* ``u``, or the end of the profile that it lies beyond [m]. */
-static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, double u)
+static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t pair, int64_t curve, double u)
 {
     int64_t profile;
-    profile = curves__curve_profile(tables, curve);
+    profile = curves__curve_profile(tables, pair, curve);
     u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
     return u;
 }
@@ -200,7 +195,7 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, 
 /* Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where
  * that is 0.
  */
-static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_double_1d tables, int64_t region, double spacing)
+static OUT_OF_LINE int64_t curves__open_origin(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double spacing)
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
@@ -211,14 +206,14 @@ static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_doubl
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
-        curves__open_curve(work, tables, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)));
-        curves__open_curve(work, tables, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)));
+        curves__open_curve(tables, work, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)));
+        curves__open_curve(tables, work, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }
 
 /* Let the origin of a curve be its point at abscissa ``u`` [m]. */
-static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double_1d tables, int64_t curve, double u)
+static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
     int64_t point;
     double across;
@@ -229,7 +224,7 @@ static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double
     point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
     (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
     (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, curve, u);
     (*cspan_at(&work, point + layout__POINT_Y)) = across;
     (*cspan_at(&work, point + layout__POINT_Z)) = down;
     return INT64_C(0);
@@ -238,7 +233,7 @@ static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double
 /* Arc length [m] between abscissae within one piece of the profile, by Gauss's
  * formula with six points.
  */
-static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high)
+static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double low, double high)
 {
     double middle;
     double half;
@@ -268,7 +263,7 @@ static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_doubl
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
             }
-            total += weight * curves__curve_speed(work, tables, curve, middle + side * away);
+            total += weight * curves__curve_speed(tables, work, pair, curve, middle + side * away);
         }
     }
     return half * total;
@@ -279,7 +274,7 @@ static OUT_OF_LINE double curves__panel_length(array_double_1d work, array_doubl
  *
  * Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
  */
-static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop)
+static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop)
 {
     double low;
     double high;
@@ -294,7 +289,7 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_
         high = start;
     }
     total = 0.0;
-    piece = tables__find_piece(tables, curves__curve_profile(tables, curve), low);
+    piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
     while(low < high)
     {
         end = high;
@@ -303,7 +298,7 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_
         {
             end = (*cspan_at(&tables, piece + layout__PIECE_START));
         }
-        total += curves__panel_length(work, tables, curve, low, end);
+        total += curves__panel_length(tables, work, pair, curve, low, end);
         low = end;
     }
     if (stop < start)
@@ -314,10 +309,10 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d work, array_double_
 }
 
 /* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
-static OUT_OF_LINE double curves__rail_length(array_double_1d tables, double start, double stop)
+static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop)
 {
     double result;
-    result = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop) - tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start);
+    result = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), stop) - tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), start);
     return result;
 }
 
@@ -326,7 +321,7 @@ static OUT_OF_LINE double curves__rail_length(array_double_1d tables, double sta
  * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
  * leaves rounding.
  */
-static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double start, double length)
+static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length)
 {
     int64_t rail;
     int64_t arcs;
@@ -335,9 +330,9 @@ static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double s
     double found;
     double speed;
     double x;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
-    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    arcs = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)));
+    abscissae = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)));
     arc = tables__read_cubic(tables, arcs, start) + length;
     if (arc < 0.0)
     {
@@ -359,7 +354,7 @@ static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, double s
 /* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; whether the curve is
  * that long.
  */
-static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length)
+static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length)
 {
     double u;
     double remainder;
@@ -375,17 +370,17 @@ static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d t
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
             return 1;
         }
-        speed = curves__curve_speed(work, tables, curve, u);
+        speed = curves__curve_speed(tables, work, pair, curve, u);
         if (!(speed > 0.0))
         {
             return 0;
         }
-        following = curves__within(tables, curve, u + remainder / speed);
+        following = curves__within(tables, pair, curve, u + remainder / speed);
         if (following == u)
         {
             return 0;
         }
-        remainder -= curves__arc_length(work, tables, curve, u, following);
+        remainder -= curves__arc_length(tables, work, pair, curve, u, following);
         u = following;
     }
     return 0;
@@ -394,7 +389,7 @@ static OUT_OF_LINE bool curves__move_arc(array_double_1d work, array_double_1d t
 /* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
  * forward where ``chord`` is positive; whether it does.
  */
-static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord)
+static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord)
 {
     double start;
     double from_across;
@@ -410,15 +405,15 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d
     double along;
     double following;
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, work, tables, curve, start);
+    curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, tables, work, pair, curve, start);
     if (!(stretch > 0.0))
     {
         return 0;
     }
-    u = curves__within(tables, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)));
+    u = curves__within(tables, pair, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)));
     for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
     {
-        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);
+        curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, curve, u);
         across -= from_across;
         down -= from_down;
         length = sqrt(across * across + down * down);
@@ -432,7 +427,7 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d
         {
             return 0;
         }
-        following = curves__within(tables, curve, u - (length - fabs(chord)) * length / along);
+        following = curves__within(tables, pair, curve, u - (length - fabs(chord)) * length / along);
         if (following == u)
         {
             return 0;
@@ -445,7 +440,7 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d work, array_double_1d
 /* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; whether
  * there is one.
  */
-static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station)
+static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station)
 {
     double way;
     double spacing;
@@ -457,7 +452,7 @@ static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_doub
     exists = 1;
     if (spacing == 0.0)
     {
-        exists = curves__move_arc(work, tables, curve, way);
+        exists = curves__move_arc(tables, work, pair, curve, way);
     }
     else
     {
@@ -470,7 +465,7 @@ static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_doub
         {
             if (exists)
             {
-                exists = curves__move_chord(work, tables, curve, chord);
+                exists = curves__move_chord(tables, work, pair, curve, chord);
             }
         }
     }
@@ -480,7 +475,7 @@ static OUT_OF_LINE bool curves__move_to_station(array_double_1d work, array_doub
 /* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
  * whether there is such a place.
  */
-static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1d tables, double lateral)
+static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double_1d work, int64_t pair, double lateral)
 {
     double u;
     int64_t i;
@@ -490,10 +485,10 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1
     double stretch;
     double bend;
     double following;
-    u = curves__within(tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    u = curves__within(tables, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
     {
-        curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, u);
+        curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, u);
         if (!(stretch > 0.0))
         {
             return 0;
@@ -503,7 +498,7 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
             return 1;
         }
-        following = curves__within(tables, layout__WHEEL, u - (across - lateral) / stretch);
+        following = curves__within(tables, pair, layout__WHEEL, u - (across - lateral) / stretch);
         if (following == u)
         {
             return 0;
@@ -522,19 +517,8 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d work, array_double_1
  * search for them costs as much as the rest of a trial.
  */
 
-/* Write ``point`` to ``copy``. */
-static OUT_OF_LINE int64_t deep_points__copy_point(array_double_1d work, int64_t point, int64_t copy)
-{
-    (*cspan_at(&work, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
-    return INT64_C(0);
-}
-
 /* List a deepest point at the end. */
-static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, double wheel, double depth)
+static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, int64_t meeting)
 {
     int64_t count;
     int64_t point;
@@ -543,8 +527,8 @@ static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, doubl
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
         (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
+        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
+        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count + INT64_C(1));
     }
     return INT64_C(0);
@@ -557,6 +541,7 @@ static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work)
     double rail;
     double wheel;
     double depth;
+    int64_t i_1;
     int64_t point;
     entry = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
     rail = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL));
@@ -564,7 +549,10 @@ static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work)
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH));
     while((entry > INT64_C(0)) && (rail < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + layout__DEEP_POINT_RAIL))))
     {
-        deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + i_1));
+        }
         entry -= INT64_C(1);
     }
     point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
@@ -630,7 +618,11 @@ static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work)
 /* Leave only the deepest of the list, which then has no bounds. */
 static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work)
 {
-    deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    int64_t i_1;
+    for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1));
+    }
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
     return INT64_C(0);
 }
@@ -640,10 +632,14 @@ static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64
 {
     int64_t count;
     int64_t i;
+    int64_t i_1;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (i = entry; i < count - INT64_C(1); i += INT64_C(1))
     {
-        deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + INT64_C(1)) + i_1));
+        }
     }
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count - INT64_C(1));
     return INT64_C(0);
@@ -713,11 +709,15 @@ static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kep
 {
     int64_t entry_end;
     int64_t entry;
+    int64_t i_1;
     (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
     entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+        }
     }
     return INT64_C(0);
 }
@@ -725,15 +725,13 @@ static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kep
 /* List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
  * ``height`` [m], with the saddles between them; their number, or 0 if one was lost or moved too far.
  */
-static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_double_1d tables, int64_t kept, int64_t place, double height)
+static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height)
 {
     int64_t entry_end;
     int64_t entry;
     int64_t point;
+    int64_t i_1;
     double x;
-    double rail;
-    double wheel;
-    double depth;
     bool turned;
     int64_t result;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
@@ -742,43 +740,45 @@ static inline int64_t deep_points__follow_overlaps(array_double_1d work, array_d
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        deep_points__copy_point(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry, point);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+        }
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
-        if ((!turned) || (!(depth > 0.0)))
+        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
+        if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
         }
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
+        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = x;
+        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
     entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        deep_points__follow_saddle(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height);
+        deep_points__follow_saddle(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height);
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
 }
 
 /* Find the saddle between two neighbouring points from where it was. */
-static inline int64_t deep_points__follow_saddle(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height)
+static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height)
 {
     double y;
     double reach;
     double x;
-    double depth;
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
     reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
-    pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
+    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
     if (!turned)
     {
-        pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), height, -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
     }
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
+    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     return INT64_C(0);
 }
 
@@ -800,7 +800,7 @@ static inline int64_t deep_points__follow_saddle(array_double_1d work, array_dou
  * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
  * [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
  */
-static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift)
+static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift)
 {
     double bend;
     double z_track;
@@ -812,11 +812,11 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
     double rail_bend;
     double cosine;
     double sine;
-    tables__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(z, slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, (*z), (*slope), bend);
     (*y_track) += aside;
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    tables__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    abscissa = (*y_track) - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope_bend(&height, rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
     sine = (*rail_slope) * cosine;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
@@ -851,7 +851,7 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
+static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     double rail_height;
     double rail_rate;
@@ -862,8 +862,8 @@ static inline int64_t frame__normal_gap(double* gap, double* result_1, double* r
     double wheel_bend;
     bool on_wheel;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
-    traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
-    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
+    traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, tables, work, pair, station, tolerance);
+    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, tables, work, pair, station, tolerance);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
     (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
     if ((!on_rail) || (!on_wheel))
@@ -883,43 +883,17 @@ static inline bool frame__is_yawed(array_double_1d work)
     return result;
 }
 
-/* Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's. */
-static OUT_OF_LINE int64_t frame__keep_frame(array_double_1d work, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-    }
-    return INT64_C(0);
-}
-
-/* Open the frame that was kept for ``slot``. */
-static OUT_OF_LINE int64_t frame__use_frame(array_double_1d work, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
-    }
-    return INT64_C(0);
-}
-
 /* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
  * flange root.
  */
-static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count)
+static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }
@@ -927,9 +901,13 @@ static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d work, array
 /* Open the frame of a region with its own plane, kept in ``slot``. */
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot)
 {
+    int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
-        frame__use_frame(work, slot);
+        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+        }
     }
     return INT64_C(0);
 }
@@ -937,9 +915,13 @@ static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t regi
 /* Open the contact point's frame again. */
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region)
 {
+    int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
-        frame__use_frame(work, layout__REGION_LIMIT);
+        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+        }
     }
     return INT64_C(0);
 }
@@ -966,13 +948,13 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
 }
 
 /* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
-static inline int64_t frame__measure_contact(array_double_1d work, array_double_1d tables)
+static inline int64_t frame__measure_contact(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
-    frame__normal_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0, frame__PLACE_TRACE);
+    frame__normal_gap(&gap, &rate, &bend, &curvature, tables, work, pair, 0.0, frame__PLACE_TRACE);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
@@ -1004,7 +986,7 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
 /* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
  * abscissa [m].
  */
-static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry)
+static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry)
 {
     int64_t point;
     double y;
@@ -1016,11 +998,11 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double bend;
     double square;
     double turn;
-    point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
     y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    tables__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope_bend(&z_rail, &m, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
@@ -1044,13 +1026,13 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
  * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
  * sampled yet.
  */
-static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry)
+static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry)
 {
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
     if (direction > INT64_C(0))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = -1.0;
     }
     return INT64_C(0);
@@ -1059,7 +1041,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, arr
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
  * above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
-static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
+static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
 {
     int64_t count;
     int64_t exponent;
@@ -1070,18 +1052,18 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
     bool on_rail;
     int64_t step;
     int64_t entry;
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_COUNT)));
     entry = first;
     exponent = layout__EXPONENTS - INT64_C(1);
     adjacent = 1.0;
     while((node >= INT64_C(0)) && (node < count) && (entry > INT64_C(0)) && (entry < INT64_C(2) * layout__OVERLAP_LIMIT - INT64_C(1)))
     {
-        overlap_samples__sample_overlap(&gap, &mismatch, &abscissa, work, tables, place, node, height, entry);
+        overlap_samples__sample_overlap(&gap, &mismatch, &abscissa, tables, work, pair, place, node, height, entry);
         (*cspan_at(&work, place + layout__PLACE_GAP_COUNT)) += 1.0;
-        on_rail = gap__above_rail(tables, abscissa);
+        on_rail = gap__above_rail(tables, pair, abscissa);
         if (!on_rail)
         {
-            overlap_samples__sample_end(work, tables, direction, entry);
+            overlap_samples__sample_end(tables, work, pair, direction, entry);
         }
         if (direction > INT64_C(0))
         {
@@ -1100,7 +1082,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
         step = INT64_C(1);
         if (gap > height)
         {
-            exponent = bounds__clear_exponent(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, direction, abscissa, gap - height, (double)(direction) * mismatch, exponent);
+            exponent = bounds__clear_exponent(tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, direction, abscissa, gap - height, (double)(direction) * mismatch, exponent);
             if (exponent < INT64_C(0))
             {
                 exponent = INT64_C(0);
@@ -1133,7 +1115,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
 /* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
  * number.
  */
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, double height)
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height)
 {
     int64_t place;
     int64_t node;
@@ -1142,23 +1124,23 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     int64_t entry;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
-    node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
-    start = overlap_samples__walk_overlap(work, tables, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
-    stop = overlap_samples__walk_overlap(work, tables, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
+    start = overlap_samples__walk_overlap(tables, work, pair, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
+    stop = overlap_samples__walk_overlap(tables, work, pair, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            overlaps__list_in_cell(work, tables, place, entry);
+            overlaps__list_in_cell(tables, work, pair, place, entry);
         }
     }
-    overlaps__list_beside_smallest_gap(work, tables, side);
+    overlaps__list_beside_smallest_gap(tables, work, pair, side);
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
-        overlaps__find_saddles(work, tables, place);
+        overlaps__find_saddles(tables, work, pair, place);
         deep_points__merge_points(work);
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
@@ -1166,56 +1148,64 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
 }
 
 /* List the deepest points between the sample ``entry`` and the next one. */
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     double rise;
     double following;
     bool hidden;
     int64_t finest;
     bool listed;
+    int64_t i_1;
+    int64_t i_2;
     rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
     following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
-    hidden = overlaps__may_turn(work, tables, place, entry);
+    hidden = overlaps__may_turn(tables, work, pair, place, entry);
     if ((!hidden) && (!((rise > 0.0) && (following <= 0.0))))
     {
         return INT64_C(0);
     }
-    overlaps__open_stretch(work, tables, place, entry);
+    overlaps__open_stretch(tables, work, pair, place, entry);
     finest = overlaps__OVERLAP_PART;
     listed = 0;
     if (hidden)
     {
         /* the samples are straight down: what counts is the rise along the normal */
-        overlaps__widen_bounds(work, tables, place, entry);
+        overlaps__widen_bounds(tables, work, pair, place, entry);
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN))) == entry)
         {
-            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST);
+            for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_1));
+            }
         }
         else
         {
-            overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
         }
-        overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-        overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END);
+        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+        for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2));
+        }
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(entry + INT64_C(1));
         finest = overlaps__HIDDEN_PART;
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
     {
-        listed = overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        listed = overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
     }
     else
     {
-        overlaps__widen_bounds(work, tables, place, entry);
+        overlaps__widen_bounds(tables, work, pair, place, entry);
     }
     if (!listed)
     {
         if (!hidden)
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), 0.0);
-            overlaps__widen_stretch(work, tables, place);
+            overlaps__widen_stretch(tables, work, pair, place);
         }
-        overlaps__list_on_stretch(work, tables, place, finest);
+        overlaps__list_on_stretch(tables, work, pair, place, finest);
     }
     return INT64_C(0);
 }
@@ -1223,22 +1213,15 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d work, array_do
 /* Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
  * down.
  */
-static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     int64_t node;
     overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
     overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
-    return INT64_C(0);
-}
-
-/* Write ``point`` to ``copy``. */
-static OUT_OF_LINE int64_t overlaps__copy_rise(array_double_1d work, int64_t point, int64_t copy)
-{
-    overlaps__set_point(work, copy, (*cspan_at(&work, point + layout__RISE_POINT_X)), (*cspan_at(&work, point + layout__RISE_POINT_RISE)), (*cspan_at(&work, point + layout__RISE_POINT_RATE)));
+    node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
     return INT64_C(0);
 }
 
@@ -1254,24 +1237,17 @@ static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t poi
 /* Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
  * is none.
  */
-static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_double_1d tables, int64_t place, int64_t point, double y)
+static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, double y)
 {
-    double depth;
-    double rise;
-    double bend;
-    double z;
-    double slope;
-    double wheel_bend;
-    bool found;
     double z_rail;
-    pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__NODE_SHARP);
+    double slope;
     (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = 0.0;
     (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = 0.0;
-    if (found)
+    if (pressed__meet_wheel(tables, work, pair, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__NODE_SHARP))
     {
-        tables__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
-        (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = rise;
-        (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = bend * sqrt(1.0 + slope * slope);
+        tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
+        (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RISE));
+        (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RATE)) * sqrt(1.0 + slope * slope);
     }
     return INT64_C(0);
 }
@@ -1281,14 +1257,14 @@ static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d work, array_do
  * A normal meets the wheel aside of the sample, in the next cell at most, and by a share of NORMAL_SHARE
  * sooner or later.
  */
-static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     int64_t scan;
     int64_t node;
     double low;
     double high;
     double share;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     node = bounds__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
     if (node > INT64_C(0))
     {
@@ -1311,22 +1287,20 @@ static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d work, array_do
 /* List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
  * an overlap and it is not listed yet; whether there is a turning point.
  */
-static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y)
+static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y)
 {
     double rail;
-    double wheel;
-    double depth;
     bool turned;
-    pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
-    if (turned && (depth > 0.0) && (!deep_points__is_listed(work, rail)))
+    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    if (turned && ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, rail)))
     {
-        deep_points__append_point(work, rail, wheel, depth);
+        deep_points__append_point(work, rail, place + layout__PLACE_MEETING);
     }
     return turned;
 }
 
 /* Whether between the sample ``entry`` and the next one the overlap may turn unseen by both. */
-static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d tables, int64_t place, int64_t entry)
+static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     double rise;
     double following;
@@ -1345,8 +1319,8 @@ static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d
     }
     else if (rise * following > 0.0)
     {
-        node = bounds__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-        bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+        node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
         if (least < 0.0)
         {
             width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
@@ -1360,14 +1334,14 @@ static OUT_OF_LINE bool overlaps__may_turn(array_double_1d work, array_double_1d
  * straight down, and their slope may change its sign a little before the overlap along the normal has its
  * maximum.
  */
-static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_double_1d tables, int64_t place)
+static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
     double step;
     double low;
     double high;
     step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X));
-    low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), -step);
-    high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), step);
+    low = overlaps__bracket_end(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), -step);
+    high = overlaps__bracket_end(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), step);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) *= (high - low) / step;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) = low;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) = high;
@@ -1377,20 +1351,13 @@ static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d work, array_d
 /* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
  * side.
  */
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step)
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double step)
 {
     int64_t rail;
     double y;
     int64_t i;
-    double depth;
-    double rise;
-    double bend;
-    double z;
-    double slope;
-    double wheel_bend;
-    bool found;
     double result;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
     for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
     {
@@ -1404,11 +1371,15 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
             result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
             return result;
         }
-        pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
-        if ((!found) || (rise * step < 0.0))
+        if (!pressed__meet_wheel(tables, work, pair, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP))
         {
             break;
         }
+        if ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RISE)) * step < 0.0)
+        {
+            break;
+        }
+        y = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
         x += step;
     }
     return x;
@@ -1420,15 +1391,21 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
  * It is halved until the bounds show that the overlap has one largest value at most on each part, or a part
  * is ``finest`` of the PARTS.  There the tangents of the rise show what may still be hidden.
  */
-static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array_double_1d tables, int64_t place, int64_t finest)
+static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest)
 {
     double each;
+    int64_t i_1;
     int64_t start;
     int64_t size;
     int64_t stop;
+    int64_t i_2;
     bool once;
+    int64_t i_3;
     each = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X))) / (double)(overlaps__PARTS);
-    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE);
+    for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1));
+    }
     start = INT64_C(0);
     size = overlaps__PARTS;
     while(start < overlaps__PARTS)
@@ -1437,11 +1414,14 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array
         if (stop < overlaps__PARTS)
         {
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) + each * (double)(stop);
-            overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, overlaps__wheel_beside(work, (double)(stop)));
+            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, overlaps__wheel_beside(work, (double)(stop)));
         }
         else
         {
-            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER);
+            for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2));
+            }
         }
         once = overlaps__turns_once(work, (double)(size) / (double)(overlaps__PARTS));
         if ((size > finest) && (!once))
@@ -1452,13 +1432,16 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d work, array
         {
             if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE)) <= 0.0))
             {
-                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)), overlaps__wheel_beside(work, 0.5 * (double)(start + stop)));
+                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)), overlaps__wheel_beside(work, 0.5 * (double)(start + stop)));
             }
             else if (!once)
             {
-                overlaps__list_hidden_point(work, tables, place);
+                overlaps__list_hidden_point(tables, work, pair, place);
             }
-            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE);
+            for (i_3 = INT64_C(0); i_3 < layout__RISE_POINT_SIZE; i_3 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_3));
+            }
             start = stop;
             while((start < overlaps__PARTS) && (size < overlaps__PARTS) && (pyc_modulo(start, (INT64_C(2) * size)) == INT64_C(0)))
             {
@@ -1506,14 +1489,24 @@ static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share)
  * A rise that bends one way, or has one kink, is nowhere beyond its tangents at both ends.  While those
  * meet beyond zero, the rise is measured where they meet, and the part ends there.
  */
-static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, array_double_1d tables, int64_t place)
+static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
+    int64_t i_1;
+    int64_t i_2;
     double sign;
     int64_t i;
     double width;
     double step;
-    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW);
-    overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH);
+    int64_t i_3;
+    int64_t i_4;
+    for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1));
+    }
+    for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2));
+    }
     sign = 1.0;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) < 0.0)
     {
@@ -1536,26 +1529,32 @@ static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, arr
             step = 0.5 * width;
         }
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)) + step;
-        overlaps__measure_rise(work, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
         if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RISE)) < 0.0)
         {
             if (sign > 0.0)
             {
-                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
             }
             else
             {
-                overlaps__list_turning_point(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
             }
             return INT64_C(0);
         }
         if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RATE)) < 0.0)
         {
-            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW);
+            for (i_3 = INT64_C(0); i_3 < layout__RISE_POINT_SIZE; i_3 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_3));
+            }
         }
         else
         {
-            overlaps__copy_rise(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH);
+            for (i_4 = INT64_C(0); i_4 < layout__RISE_POINT_SIZE; i_4 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_4));
+            }
         }
     }
     return INT64_C(0);
@@ -1565,7 +1564,7 @@ static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d work, arr
  * between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
  * times.
  */
-static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side)
+static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
     int64_t place;
     double z;
@@ -1574,11 +1573,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     double z_track;
     double outline_slope;
     double x;
-    double y;
-    double depth;
-    double rise;
-    double bend;
-    double wheel_bend;
+    int64_t meeting;
     bool found;
     double deepest;
     double step;
@@ -1586,30 +1581,30 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     double low;
     double high;
     double rail;
-    double wheel;
     bool turned;
     place = side + layout__SIDE_SEARCH_PLACE;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
-    x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    x = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    meeting = place + layout__PLACE_MEETING;
+    found = pressed__meet_wheel(tables, work, pair, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
     deepest = 0.0;
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
         deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
     }
-    if (found && (depth > deepest))
+    if (found && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
     {
         step = overlaps__FIRST_STEP;
-        if (rise < 0.0)
+        if ((*cspan_at(&work, meeting + layout__MEETING_RISE)) < 0.0)
         {
             step = -overlaps__FIRST_STEP;
         }
         far = x;
-        while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && found)
+        while(((*cspan_at(&work, meeting + layout__MEETING_RISE)) * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && found)
         {
             far += step;
-            pressed__meet_wheel(&y, &depth, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, far, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+            found = pressed__meet_wheel(tables, work, pair, place, far, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
             step *= 2.0;
         }
         low = x;
@@ -1619,10 +1614,10 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
             low = far;
             high = x;
         }
-        pressed__turning_point(&rail, &wheel, &depth, &turned, work, tables, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
-        if (turned && (depth > deepest))
+        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+        if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
         {
-            deep_points__append_point(work, rail, wheel, depth);
+            deep_points__append_point(work, rail, meeting);
             deep_points__sort_last(work);
         }
     }
@@ -1630,24 +1625,22 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
 }
 
 /* The smallest overlap between neighbouring deepest points. */
-static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_double_1d tables, int64_t place)
+static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
     int64_t entry_end;
     int64_t entry;
     int64_t point;
     int64_t following;
     double x;
-    double y;
-    double depth;
     bool turned;
     entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        pressed__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-        (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
+        (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
     return INT64_C(0);
 }
@@ -1681,31 +1674,12 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_do
  * with (X, Z) the wheel's point at abscissa y in its present pose.
  */
 
-/* As :func:`meet_wheel`, with the wheel's 1/R_x [1/m] there: wheel abscissa, overlap, its derivatives,
- * 1/R_x; and whether there is such a point.
+/* Whether the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
+ * ``height``, sought from ``y`` to ``tolerance`` [m]; where is the place's ``meeting``.
  */
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0, double* overlap, double* rise, double* rate, double* curvature, bool* found, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
+static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance)
 {
-    double z;
-    double slope;
-    double bend;
-    pressed__meet_wheel(&y, overlap, rise, rate, &z, &slope, &bend, found, work, tables, place, abscissa, y, height, tolerance);
-    (*curvature) = 0.0;
-    if ((*found))
-    {
-        (*curvature) = curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
-    }
-    (*result_0) = y;
-    return 0;
-}
-
-/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
- * moved down by ``height``, sought from ``y`` to ``tolerance`` [m]; the overlap [m] and its
- * derivatives [-, 1/m] along the rail's arc; height, slope and bend of the wheel's profile there [m, -,
- * 1/m]; and whether there is such a point.
- */
-static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, double* result_5, double* result_6, bool* result_7_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height, double tolerance)
-{
+    int64_t meeting;
     int64_t wheel;
     double z_rail;
     double m;
@@ -1734,29 +1708,22 @@ static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* 
     double steep;
     double rest;
     double turn;
-    double relative_kappa;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    meeting = place + layout__PLACE_MEETING;
+    (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = 0.0;
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, z, slope, bend);
-        across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
+        across = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa;
         down = z_track + height - z_rail;
         residual = across + down * m;
         along = stretch * (1.0 + m * outline_slope);
         if (!((along > 0.0) && (stretch > 0.0)))
         {
-            (*result_0_0001) = y;
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3_0001) = 0.0;
-            (*result_4) = 0.0;
-            (*result_5) = 0.0;
-            (*result_6) = 0.0;
-            (*result_7_0001) = 0;
             return 0;
         }
         move = (-residual) / along;
@@ -1770,14 +1737,6 @@ static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* 
             overlap = (down - m * across) * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))
             {
-                (*result_0_0001) = y;
-                (*result_1) = 0.0;
-                (*result_2) = 0.0;
-                (*result_3_0001) = 0.0;
-                (*result_4) = 0.0;
-                (*result_5) = 0.0;
-                (*result_6) = 0.0;
-                (*result_7_0001) = 0;
                 return 0;
             }
             rise = (outline_slope - m) / (1.0 + m * outline_slope);
@@ -1788,45 +1747,22 @@ static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* 
             /* from the wheel's point to the rail's normal: over the rail's tangent the overlap is a curve */
             rest = (-residual) * cosine;
             turn = wheel_kappa * steep * sqrt(steep) * rest;
-            overlap += rest * (rise + 0.5 * turn);
-            rise += turn;
-            y += move;
-            z += slope * move;
-            slope += bend * move;
-            relative_kappa = wheel_kappa * sqrt(steep) - kappa;
-            (*result_0_0001) = y;
-            (*result_1) = overlap;
-            (*result_2) = rise;
-            (*result_3_0001) = steep * relative_kappa;
-            (*result_4) = z;
-            (*result_5) = slope;
-            (*result_6) = bend;
-            (*result_7_0001) = 1;
-            return 0;
+            (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) = y + move;
+            (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = overlap + rest * (rise + 0.5 * turn);
+            (*cspan_at(&work, meeting + layout__MEETING_RISE)) = rise + turn;
+            (*cspan_at(&work, meeting + layout__MEETING_RATE)) = steep * (wheel_kappa * sqrt(steep) - kappa);
+            (*cspan_at(&work, meeting + layout__MEETING_Z)) = z + slope * move;
+            (*cspan_at(&work, meeting + layout__MEETING_SLOPE)) = slope + bend * move;
+            (*cspan_at(&work, meeting + layout__MEETING_BEND)) = bend;
+            return 1;
         }
         move = double_max(2, double_min(2, move, pressed__LINE_STEP), -pressed__LINE_STEP);
         y += move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
-            (*result_0_0001) = y;
-            (*result_1) = 0.0;
-            (*result_2) = 0.0;
-            (*result_3_0001) = 0.0;
-            (*result_4) = 0.0;
-            (*result_5) = 0.0;
-            (*result_6) = 0.0;
-            (*result_7_0001) = 0;
             return 0;
         }
     }
-    (*result_0_0001) = y;
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3_0001) = 0.0;
-    (*result_4) = 0.0;
-    (*result_5) = 0.0;
-    (*result_6) = 0.0;
-    (*result_7_0001) = 0;
     return 0;
 }
 
@@ -1836,7 +1772,7 @@ static ALWAYS_INLINE int64_t pressed__meet_wheel(double* result_0_0001, double* 
  * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint
  * passes a node.
  */
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend)
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend)
 {
     double blur;
     int64_t wheel;
@@ -1848,7 +1784,7 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
     blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
-        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+        wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
         low = y - blur;
         high = y + blur;
         low = double_max(2, low, (*cspan_at(&tables, wheel + layout__PROFILE_START)));
@@ -1864,23 +1800,18 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
  * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
  * pressed wheel.
  */
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station)
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     int64_t rail;
     double way;
     double abscissa;
     int64_t trace;
     double estimate;
-    double y;
-    double overlap;
-    double rise;
-    double rise_rate;
-    double found_curvature;
-    bool found;
+    int64_t meeting;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
+    abscissa = curves__rail_abscissa(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
     (*gap) = frame__NO_GAP;
     (*rate) = 0.0;
     (*bend) = 0.0;
@@ -1889,18 +1820,18 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP);
-        if (found)
+        if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP))
         {
-            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap;
-            (*rate) = -rise;
-            (*bend) = -rise_rate;
-            (*curvature) = found_curvature;
+            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING;
+            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
+            (*rate) = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
+            (*bend) = -(*cspan_at(&work, meeting + layout__MEETING_RATE));
+            (*curvature) = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), pressed__mean_bend(tables, work, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND))));
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = (y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA))) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = ((*cspan_at(&work, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA))) / way;
             }
-            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
+            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
         }
@@ -1915,50 +1846,42 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
     return step;
 }
 
-/* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
- * abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
- * value: whether the slope changes its sign there: it may do so a little beyond the bracket.
+/* Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
+ * abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
+ * sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
  * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
  * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
  * is halved.
  */
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* result_1_0001, double* result_2, bool* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign)
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign)
 {
+    int64_t meeting;
     double x;
-    double overlap;
-    double rise;
     double before;
     bool moved_low;
     bool moved_high;
     int64_t i;
-    double bend;
-    double z;
-    double slope;
-    double wheel_bend;
-    bool found;
     double following;
     double z_rail;
+    double slope;
     double newton;
-    bool turned;
+    double rise;
+    meeting = place + layout__PLACE_MEETING;
     x = 0.5 * (low + high);
-    overlap = 0.0;
-    rise = 1.0;
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
     for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        pressed__meet_wheel(&y, &overlap, &rise, &bend, &z, &slope, &wheel_bend, &found, work, tables, place, x, y, height, pressed__LINE_SHARP);
-        if (!found)
+        if (!pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
         {
             (*result_0) = x;
-            (*result_1_0001) = y;
-            (*result_2) = overlap;
-            (*result_3) = 0;
+            (*result_1_0001) = 0;
             return 0;
         }
-        if (sign * rise > 0.0)
+        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
+        if (sign * (*cspan_at(&work, meeting + layout__MEETING_RISE)) > 0.0)
         {
             low = x;
             moved_low = 1;
@@ -1969,10 +1892,10 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* resu
             moved_high = 1;
         }
         following = 0.5 * (low + high);
-        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
+        if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
         {
-            tables__height_slope(&z_rail, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
-            newton = x - rise / (bend * sqrt(1.0 + slope * slope));
+            tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
+            newton = x - (*cspan_at(&work, meeting + layout__MEETING_RISE)) / ((*cspan_at(&work, meeting + layout__MEETING_RATE)) * sqrt(1.0 + slope * slope));
             if ((newton > low) && (newton < high))
             {
                 following = newton;
@@ -1983,13 +1906,11 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* resu
             break;
         }
         x = following;
-        before = fabs(rise);
+        before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     }
-    turned = (fabs(rise) < pressed__ZERO_RISE) || ((fabs(rise) < pressed__LEVEL_RISE) && moved_low && moved_high);
+    rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     (*result_0) = x;
-    (*result_1_0001) = y;
-    (*result_2) = overlap;
-    (*result_3) = turned;
+    (*result_1_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
 
@@ -2000,7 +1921,7 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, double* resu
  */
 
 /* Lateral and vertical shift [m] that let the wheel just touch at a deepest point. */
-static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d work, array_double_1d tables, int64_t place, int64_t point)
+static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point)
 {
     double z;
     double slope;
@@ -2009,10 +1930,10 @@ static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, dou
     double outline_slope;
     double z_rail;
     double m;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), z, slope);
-    tables__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
-    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
+    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - y_track;
     (*result_1) = z_rail - z_track;
     return 0;
 }
@@ -2032,12 +1953,12 @@ static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, do
 /* Press the wheel of the open frame, which just touches, straight down until its contact point is
  * ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail.
  */
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, array_double_1d tables, int64_t side, double penetration)
+static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration)
 {
     double height;
     int64_t count;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    count = overlaps__find_overlaps(work, tables, side, height);
+    count = overlaps__find_overlaps(tables, work, pair, side, height);
     pressed_regions__press_frame(work, height, penetration, 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
     return count;
@@ -2050,24 +1971,40 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d work, arr
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
 {
     double height;
+    int64_t i_1;
     int64_t index;
     int64_t region;
+    int64_t i_2;
+    int64_t i_3;
+    int64_t i_4;
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     pressed_regions__press_frame(work, height, penetration, 0.0);
-    frame__keep_frame(work, layout__REGION_LIMIT);
+    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+    }
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        frame__use_frame(work, index);
+        for (i_2 = INT64_C(0); i_2 < INT64_C(27); i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
+        }
         pressed_regions__press_frame(work, height, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)));
-        frame__keep_frame(work, index);
+        for (i_3 = INT64_C(0); i_3 < layout__FRAME_SIZE; i_3 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
+        }
     }
-    frame__use_frame(work, layout__REGION_LIMIT);
+    for (i_4 = INT64_C(0); i_4 < INT64_C(27); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
+    }
     return INT64_C(0);
 }
 
 /* Start a region at a deepest point, inclined as the rail there. */
-static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t point)
+static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail;
     double m;
@@ -2075,7 +2012,7 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    tables__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     frame__incline_region(work, tables, region, m);
     return INT64_C(0);
 }
@@ -2083,7 +2020,7 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
 /* Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
  * approach follows from both inclinations.
  */
-static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point)
+static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
     double cosine;
     double abscissa;
@@ -2100,12 +2037,12 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
     abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    pressed_regions__touching_shift(&aside, &shift, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
+    pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
+    frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, pair, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     pressed_regions__press_frame(work, height, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)));
     return INT64_C(0);
 }
@@ -2114,9 +2051,10 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
  * frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
  * point where it just touched.
  */
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables)
+static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t contact;
+    int64_t i_1;
     int64_t index;
     int64_t region;
     int64_t point;
@@ -2124,39 +2062,50 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
     double rate;
     double bend;
     double curvature;
+    int64_t i_2;
+    int64_t i_3;
     int64_t count;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
-    frame__keep_frame(work, layout__REGION_LIMIT);
+    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+    }
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
-        pressed_regions__open_pressed_region(work, tables, region, point);
+        pressed_regions__open_pressed_region(tables, work, pair, region, point);
         if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
-            pressed_regions__give_own_frame(work, tables, region, point);
+            pressed_regions__give_own_frame(tables, work, pair, region, point);
         }
         traces__start_traces(work, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
-        pressed__pressed_gap(&gap, &rate, &bend, &curvature, work, tables, 0.0);
+        pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, pair, 0.0);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
         (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
         (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
         if (index > INT64_C(0))
         {
-            (*cspan_at(&work, region + layout__REGION_LOW)) = curves__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work, region + layout__REGION_LOW)) = curves__rail_length(tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
         }
         if (index < count - INT64_C(1))
         {
-            (*cspan_at(&work, region + layout__REGION_HIGH)) = curves__rail_length(tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
+            (*cspan_at(&work, region + layout__REGION_HIGH)) = curves__rail_length(tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
         }
-        frame__keep_frame(work, index);
-        frame__use_frame(work, layout__REGION_LIMIT);
+        for (i_2 = INT64_C(0); i_2 < layout__FRAME_SIZE; i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+        }
+        for (i_3 = INT64_C(0); i_3 < INT64_C(27); i_3 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+        }
     }
     if (count > INT64_C(1))
     {
-        frame__locate_along_track(work, tables, count);
+        frame__locate_along_track(tables, work, pair, count);
     }
     return count;
 }
@@ -2182,7 +2131,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
 /* Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and whether it
  * exists.
  */
-static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station)
+static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     double per_station;
     double lateral;
@@ -2197,14 +2146,14 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
     double bend;
     per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     lateral = (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station;
-    (*exists) = curves__move_across(work, tables, lateral);
+    (*exists) = curves__move_across(tables, work, pair, lateral);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    if (curves__within(tables, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
         (*exists) = 0;
     }
-    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, tables, work, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     bend = rail_bend - bend / stretch;
     (*result_0) = rail_down - down;
     (*result_1) = (rail_slope - slope) * per_station;
@@ -2221,7 +2170,7 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
  *
  * of which the last term is of third order in s.
  */
-static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d work, array_double_1d tables, double station)
+static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     bool on_rail;
     bool on_wheel;
@@ -2241,13 +2190,13 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     double cosine;
     double sine;
     double size;
-    on_rail = curves__move_to_station(work, tables, layout__RAIL, station);
-    on_wheel = curves__move_to_station(work, tables, layout__WHEEL, station);
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    on_rail = curves__move_to_station(tables, work, pair, layout__RAIL, station);
+    on_wheel = curves__move_to_station(tables, work, pair, layout__WHEEL, station);
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     rail_cos = 1.0 / sqrt(1.0 + slope * slope);
     rail_sin = slope * rail_cos;
     rail_curvature = bend * rail_cos * rail_cos * rail_cos;
-    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope);
     wheel_sin = slope * wheel_cos;
     wheel_curvature = bend / stretch * wheel_cos * wheel_cos * wheel_cos;
@@ -2269,7 +2218,7 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
 /* How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
  * pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-].
  */
-static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables)
+static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair)
 {
     double height;
     double slope;
@@ -2277,7 +2226,7 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
     double cosine;
     double along;
     double across;
-    tables__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     along = cosine * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     across = cosine * (slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
@@ -2289,7 +2238,7 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
 /* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
  * region's minimum.
  */
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, int64_t kind)
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind)
 {
     bool exists;
     double lost;
@@ -2301,17 +2250,17 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
-        separation__vertical_rise(gap, rate, bend, &exists, work, tables, station);
+        separation__vertical_rise(gap, rate, bend, &exists, tables, work, pair, station);
     }
     else
     {
-        separation__equidistant_rise(gap, rate, bend, &exists, work, tables, station);
+        separation__equidistant_rise(gap, rate, bend, &exists, tables, work, pair, station);
     }
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
     (*gap) += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
-        separation__depth_lost(&lost, &more, work, tables);
+        separation__depth_lost(&lost, &more, tables, work, pair);
         (*gap) += lost;
         (*rate) += more;
     }
@@ -2320,8 +2269,8 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
         (*gap) = frame__NO_GAP;
     }
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    wheel_bend = pressed__mean_bend(work, tables, y, wheel_bend);
+    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    wheel_bend = pressed__mean_bend(tables, work, pair, y, wheel_bend);
     (*curvature) = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
     return 0;
 }
@@ -2331,21 +2280,21 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, double station, double tolerance)
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        frame__normal_gap(gap, rate, bend, curvature, work, tables, station, tolerance);
+        frame__normal_gap(gap, rate, bend, curvature, tables, work, pair, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(gap, rate, bend, curvature, work, tables, station);
+        pressed__pressed_gap(gap, rate, bend, curvature, tables, work, pair, station);
     }
     else
     {
-        separation__moved_separation(gap, rate, bend, curvature, work, tables, station, kind);
+        separation__moved_separation(gap, rate, bend, curvature, tables, work, pair, station, kind);
     }
     return 0;
 }
@@ -2447,11 +2396,11 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
 /* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
  * it exists.
  */
-static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance)
+static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     double slope;
     double height;
-    traces__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
+    traces__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
     return 0;
 }
 
@@ -2460,7 +2409,7 @@ static inline int64_t traces__trace_rail(double* ordinate, double* rate, double*
  *
  * Without yaw the outline is the profile, turned by the roll.
  */
-static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance)
+static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t place;
     double lifted;
@@ -2470,19 +2419,19 @@ static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
         lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
+        traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
         (*ordinate) -= (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         (*curvature) = curvature__longitudinal_curvature(work, tables, place, z, slope, (*bend));
     }
     else
     {
-        traces__trace_outline(ordinate, rate, bend, curvature, exists, work, tables, station, tolerance);
+        traces__trace_outline(ordinate, rate, bend, curvature, exists, tables, work, pair, station, tolerance);
     }
     return 0;
 }
 
 /* ``trace_wheel`` with yaw. */
-static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d work, array_double_1d tables, double station, double tolerance)
+static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t wheel;
     int64_t place;
@@ -2509,12 +2458,12 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     double per_stretch;
     double rate;
     double move;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
     cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    left = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
     above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     y = traces__first_abscissa(work, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     (*exists) = 0;
@@ -2594,7 +2543,7 @@ static inline double widths__width_tolerance(double estimate)
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
  * chosen separation, with arcs in place of the chords whose length follows from this width.
  */
-static inline double widths__zone_width(array_double_1d work, array_double_1d tables, int64_t region, double direction, double level, double estimate)
+static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate)
 {
     double limit;
     double tolerance;
@@ -2618,7 +2567,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
     double newton;
     limit = widths__width_limit(work, region, direction);
     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    curves__open_origin(work, tables, region, 0.0);
+    curves__open_origin(tables, work, pair, region, 0.0);
     tolerance = widths__width_tolerance(estimate);
     root = sqrt(level);
     low = 0.0;
@@ -2636,7 +2585,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
     for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         width = double_min(2, width, limit);
-        separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
+        separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
@@ -2694,7 +2643,7 @@ static inline double widths__zone_width(array_double_1d work, array_double_1d ta
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
  * both sides that follow from them, and the station its load is thought to act at.
  */
-static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, int64_t region, double local_penetration)
+static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration)
 {
     double bend;
     double low;
@@ -2714,23 +2663,23 @@ static inline int64_t widths__measure_widths(array_double_1d work, array_double_
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    high = widths__zone_width(work, tables, region, 1.0, local_penetration, high);
+    high = widths__zone_width(tables, work, pair, region, 1.0, local_penetration, high);
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant = 0.0;
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        slant = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     }
     if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
         low = high;
     }
-    low = widths__zone_width(work, tables, region, -1.0, local_penetration, low);
+    low = widths__zone_width(tables, work, pair, region, -1.0, local_penetration, low);
     if (yawed)
     {
-        slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant -= locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
         {
             (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));

@@ -45,8 +45,8 @@ static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_
 static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
 static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch);
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch);
-static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
 static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
+static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
 
 /* creep/fastrip.py */
 static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
@@ -92,8 +92,8 @@ static inline bool motion__is_rail_moderate(double lateral, double vertical, dou
 static inline bool motion__is_moderate(array_double_1d work);
 static inline double motion__rolling_rate(array_double_1d work, array_double_1d tables);
 static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, double mirror);
-static inline int64_t motion__open_left_rail(array_double_1d work, array_double_1d tables, int64_t rail);
-static inline int64_t motion__open_right_rail(array_double_1d work, array_double_1d tables, int64_t rail);
+static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
+static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
 static inline int64_t motion__constrain_touching(array_double_1d work, int64_t motion, int64_t point);
 static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces);
@@ -854,7 +854,6 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
     }
     cut__finish_strips(work, patch);
     cut__plane_slips(work, patch);
-    cut__clear_creep(work, patch);
     return INT64_C(0);
 }
 
@@ -1604,28 +1603,12 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
 /* Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b. */
 static inline int64_t march__open_marches(array_double_1d work, double ratio)
 {
-    int64_t i;
+    int64_t i_1;
     int64_t q;
     double square;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i_1 = INT64_C(0); i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
     }
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
@@ -2121,23 +2104,23 @@ static inline int64_t motion__open_motion(array_double_1d work, array_double_1d 
 }
 
 /* What the inputs say of the left rail, which rolls about its highest point; mirrored. */
-static inline int64_t motion__open_left_rail(array_double_1d work, array_double_1d tables, int64_t rail)
+static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail)
 {
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* The same of the right rail. */
-static inline int64_t motion__open_right_rail(array_double_1d work, array_double_1d tables, int64_t rail)
+static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail)
 {
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     return INT64_C(0);
 }

@@ -50,10 +50,10 @@ static inline double derivative_rates__power_rate(double power, double base, dou
  */
 
 /* Derivative of ``place_moving``. */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
     double turning;
-    derivative_roll__place_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+    derivative_roll__place_both_t(work, work_t, tables, roll, roll_t);
     if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
     {
         derivative_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
@@ -64,7 +64,7 @@ static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d 
         derivative_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
         if (turning != 0.0)
         {
-            derivative_roll__lean_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+            derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
         }
     }
     return INT64_C(0);
@@ -112,6 +112,7 @@ static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d wor
 /* Derivative of ``follow_minimum``. */
 static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
+    int64_t pair;
     int64_t side;
     int64_t at;
     double y_t;
@@ -123,14 +124,15 @@ static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1
     double rate;
     double rate_t;
     double v1;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     y_t = 0.0;
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
-    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, tables, at, y, y_t);
+    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
     v1 = -mismatch;
     y_t = (-mismatch_t) / rate;
-    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, tables, at, y, y_t);
+    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)) = y_t;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) = gap_t;
@@ -138,7 +140,7 @@ static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1
 }
 
 /* Derivative of ``follow_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     double left;
     double right;
@@ -162,13 +164,13 @@ static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, dou
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, (*roll), 0.0);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
-    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    derivative_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    derivative_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
+    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
+    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
@@ -177,7 +179,7 @@ static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, dou
 }
 
 /* Derivative of ``follow_gaps``. */
-static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
+static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
 {
     double left;
     double left_t;
@@ -188,9 +190,9 @@ static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0,
     double right;
     double right_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
-    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), 0.0);
-    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), 0.0);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), 0.0);
+    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), 0.0);
     (*result_0) = left - height;
     (*result_1) = left_t - height_t;
     (*result_2) = right - height;
@@ -199,7 +201,7 @@ static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0,
 }
 
 /* Derivative of ``follow_leaning_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     double height;
     double left;
@@ -216,13 +218,13 @@ static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* r
     double height_rate;
     (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 0.0, height, 0.0);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 0.0, height, 0.0);
     residual_left = left_t;
     residual_right = right_t;
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 0.0, height, 1.0);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 0.0, height, 1.0);
     left_height = left_t - residual_left;
     right_height = right_t - residual_right;
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, left_tables, right_tables, work, work_t, (*roll), 1.0, height, 0.0);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 1.0, height, 0.0);
     left_roll = left_t - residual_left;
     right_roll = right_t - residual_right;
     determinant = left_height * right_roll - right_height * left_roll;
@@ -233,25 +235,25 @@ static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* r
 }
 
 /* Derivative of ``follow_position``. */
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
 {
     double v1;
     double v1_t;
     double v2;
     double v2_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
-    derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
     derivative_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
-    derivative_trial__balance_side_t(left_tables, work, work_t, INT64_C(0), v1, v1_t, height, height_t);
-    derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
+    derivative_trial__balance_side_t(tables, work, work_t, INT64_C(0), v1, v1_t, height, height_t);
+    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
     derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(1));
-    derivative_trial__balance_side_t(right_tables, work, work_t, INT64_C(1), v2, v2_t, height, height_t);
+    derivative_trial__balance_side_t(tables, work, work_t, INT64_C(1), v2, v2_t, height, height_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``follow_elastic``. */
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     double roll_t;
     double roll;
@@ -272,17 +274,17 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
     height_t = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 0.0, height, 0.0);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 0.0, height, 0.0);
     if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
     {
         return 1;
     }
     residual_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
     residual_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 0.0, height, 1.0);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 0.0, height, 1.0);
     left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left - 1.0;
     right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right - 1.0;
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, 1.0, height, 0.0);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 1.0, height, 0.0);
     left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left;
     right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right;
     determinant = left_height * right_roll - right_height * left_roll;
@@ -292,7 +294,7 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
     }
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant;
-    derivative_wheelset_rules__follow_position_t(left_tables, right_tables, work, work_t, roll, roll_rate, height, height_rate);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_rate;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height_rate;
@@ -301,7 +303,7 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d l
 }
 
 /* Derivative of ``follow_compliant``. */
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     double roll_t;
     double roll;
@@ -312,41 +314,41 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
     height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_t;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height_t;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
-    if (compliant__is_damped(right_tables))
+    if (compliant__is_damped(tables))
     {
-        derivative_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
-    derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
-    derivative_compliant__load_at_height_t(left_tables, work, work_t, INT64_C(0), height, height_t);
-    derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
-    derivative_compliant__load_at_height_t(right_tables, work, work_t, INT64_C(1), height, height_t);
+    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
+    derivative_compliant__load_at_height_t(tables, work, work_t, INT64_C(0), height, height_t);
+    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
+    derivative_compliant__load_at_height_t(tables, work, work_t, INT64_C(1), height, height_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``differentiate``. */
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     bool n1;
     int64_t i;
     bool n2;
     bool outcome;
-    n1 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t);
+    n1 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     outcome = n1;
-    if (requested__carries_friction(right_tables, work))
+    if (requested__carries_friction(tables, work))
     {
         for (i = INT64_C(0); i < requested__LOAD_RATES; i += INT64_C(1))
         {
             derivative_wheelset_rules__follow_load_t(work, work_t);
-            n2 = derivative_wheelset_rules__follow_wheelset_t(left_tables, right_tables, work, work_t);
+            n2 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
             outcome = n2;
         }
     }
-    derivative_report__report_t(right_tables, work, work_t);
+    derivative_report__report_t(tables, work, work_t);
     return outcome;
 }
 
@@ -371,7 +373,7 @@ static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d w
 }
 
 /* Derivative of ``follow_wheelset``. */
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t mode;
     double v1;
@@ -382,35 +384,35 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     double v2_t;
     bool n3;
     bool outcome;
-    mode = (int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE)));
+    mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
     outcome = 0;
     if (mode == layout__MODE_RIGID)
     {
-        derivative_wheelset_rules__follow_roll_t(&v1, &v1_t, left_tables, right_tables, work, work_t);
+        derivative_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
         roll_t = v1_t;
         roll = v1;
         if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
         {
-            derivative_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, left_tables, right_tables, work, work_t);
+            derivative_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, tables, work, work_t);
             roll_t = v2_t;
             roll = v2;
         }
-        derivative_wheelset_rules__place_moving_t(left_tables, right_tables, work, work_t, roll, roll_t);
-        derivative_wheelset_rules__follow_minimum_t(left_tables, work, work_t, INT64_C(0));
-        derivative_wheelset_rules__follow_minimum_t(right_tables, work, work_t, INT64_C(1));
-        derivative_rigid__solve_rigid_t(left_tables, right_tables, work, work_t, roll, roll_t);
+        derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
+        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
+        derivative_rigid__solve_rigid_t(tables, work, work_t, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        n3 = derivative_wheelset_rules__follow_elastic_t(left_tables, right_tables, work, work_t);
+        n3 = derivative_wheelset_rules__follow_elastic_t(tables, work, work_t);
         outcome = n3;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        derivative_wheelset_rules__follow_compliant_t(left_tables, right_tables, work, work_t);
+        derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
     }
-    derivative_rubbing__move_patches_t(left_tables, right_tables, work, work_t);
-    derivative_rubbing__rub_patches_t(left_tables, right_tables, work, work_t);
-    derivative_forces__sum_forces_t(right_tables, work, work_t);
+    derivative_rubbing__move_patches_t(tables, work, work_t);
+    derivative_rubbing__rub_patches_t(tables, work, work_t);
+    derivative_forces__sum_forces_t(tables, work, work_t);
     return outcome;
 }

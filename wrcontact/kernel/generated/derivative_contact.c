@@ -8,7 +8,7 @@
  */
 
 /* Derivative of ``curve_jet``. */
-static inline int64_t derivative_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
 {
     double z;
     double z_t;
@@ -16,7 +16,7 @@ static inline int64_t derivative_curves__curve_jet_t(double* across, double* acr
     double y_track_t;
     double z_track;
     double z_track_t;
-    derivative_tables__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, curve), u, u_t);
+    derivative_tables__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
     (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
@@ -35,7 +35,7 @@ static inline int64_t derivative_curves__curve_jet_t(double* across, double* acr
 }
 
 /* Derivative of ``curve_speed``. */
-static inline int64_t derivative_curves__curve_speed_t(double* speed, double* speed_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__curve_speed_t(double* speed, double* speed_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
 {
     double z;
     double z_t;
@@ -57,7 +57,7 @@ static inline int64_t derivative_curves__curve_speed_t(double* speed, double* sp
     (*speed) = 1.0;
     if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
-        derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, curve), u, u_t);
+        derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
         (*speed_t) = derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t);
@@ -65,7 +65,7 @@ static inline int64_t derivative_curves__curve_speed_t(double* speed, double* sp
     }
     else
     {
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, u, u_t);
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
         v3 = 1.0 + slope * slope;
         v4 = sqrt(v3);
         (*speed_t) = stretch_t * v4 + stretch * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t);
@@ -75,14 +75,14 @@ static inline int64_t derivative_curves__curve_speed_t(double* speed, double* sp
 }
 
 /* Derivative of ``within``. */
-static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, int64_t curve, double u, double u_t)
 {
     int64_t profile;
     double v1;
     double v1_t;
     double v2;
     double v2_t;
-    profile = curves__curve_profile(tables, curve);
+    profile = curves__curve_profile(tables, pair, curve);
     v1 = u;
     v1_t = u_t;
     if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v1)
@@ -105,7 +105,7 @@ static inline int64_t derivative_curves__within_t(double* result_0, double* resu
 }
 
 /* Derivative of ``open_origin``. */
-static inline int64_t derivative_curves__open_origin_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double spacing, double spacing_t)
+static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double spacing, double spacing_t)
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
@@ -120,14 +120,14 @@ static inline int64_t derivative_curves__open_origin_t(array_double_1d work, arr
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
-        derivative_curves__open_curve_t(work, work_t, tables, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__open_curve_t(work, work_t, tables, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``open_curve``. */
-static inline int64_t derivative_curves__open_curve_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
 {
     int64_t point;
     double across;
@@ -145,7 +145,7 @@ static inline int64_t derivative_curves__open_curve_t(array_double_1d work, arra
     (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
     (*cspan_at(&work_t, point + layout__POINT_Z)) = 0.0;
     (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, u, u_t);
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
     (*cspan_at(&work_t, point + layout__POINT_Y)) = across_t;
     (*cspan_at(&work, point + layout__POINT_Y)) = across;
     (*cspan_at(&work_t, point + layout__POINT_Z)) = down_t;
@@ -154,7 +154,7 @@ static inline int64_t derivative_curves__open_curve_t(array_double_1d work, arra
 }
 
 /* Derivative of ``panel_length``. */
-static inline int64_t derivative_curves__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t)
+static inline int64_t derivative_curves__panel_length_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double low, double low_t, double high, double high_t)
 {
     double v1;
     double middle_t;
@@ -200,7 +200,7 @@ static inline int64_t derivative_curves__panel_length_t(double* result_0, double
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
             }
-            derivative_curves__curve_speed_t(&v4, &v4_t, work, work_t, tables, curve, middle + side * away, middle_t + side_t * away);
+            derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, middle_t + side_t * away);
             total_t = total_t + weight * v4_t;
             total = total + weight * v4;
         }
@@ -211,7 +211,7 @@ static inline int64_t derivative_curves__panel_length_t(double* result_0, double
 }
 
 /* Derivative of ``arc_length``. */
-static inline int64_t derivative_curves__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_curves__arc_length_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double start, double start_t, double stop, double stop_t)
 {
     double low_t;
     double low;
@@ -235,7 +235,7 @@ static inline int64_t derivative_curves__arc_length_t(double* total, double* tot
     }
     (*total_t) = 0.0;
     (*total) = 0.0;
-    piece = tables__find_piece(tables, curves__curve_profile(tables, curve), low);
+    piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
     while(low < high)
     {
         end_t = high_t;
@@ -246,7 +246,7 @@ static inline int64_t derivative_curves__arc_length_t(double* total, double* tot
             end_t = 0.0;
             end = (*cspan_at(&tables, piece + layout__PIECE_START));
         }
-        derivative_curves__panel_length_t(&v1, &v1_t, work, work_t, tables, curve, low, low_t, end, end_t);
+        derivative_curves__panel_length_t(&v1, &v1_t, tables, work, work_t, pair, curve, low, low_t, end, end_t);
         (*total_t) = (*total_t) + v1_t;
         (*total) = (*total) + v1;
         low_t = end_t;
@@ -261,21 +261,21 @@ static inline int64_t derivative_curves__arc_length_t(double* total, double* tot
 }
 
 /* Derivative of ``rail_length``. */
-static inline int64_t derivative_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double start, double start_t, double stop, double stop_t)
 {
     double v1;
     double v1_t;
     double v2;
     double v2_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), stop, stop_t);
-    derivative_tables__read_cubic_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), start, start_t);
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), stop, stop_t);
+    derivative_tables__read_cubic_t(&v2, &v2_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), start, start_t);
     (*result_0) = v1 - v2;
     (*result_1) = v1_t - v2_t;
     return 0;
 }
 
 /* Derivative of ``rail_abscissa``. */
-static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t)
+static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, int64_t pair, double start, double start_t, double length, double length_t)
 {
     int64_t rail;
     int64_t arcs;
@@ -292,9 +292,9 @@ static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t,
     double speed_t;
     double v3;
     double v4;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    arcs = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC)));
-    abscissae = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    arcs = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)));
+    abscissae = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)));
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
     arc_t = v1_t + length_t;
     arc = v1 + length;
@@ -323,7 +323,7 @@ static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t,
 }
 
 /* Derivative of ``move_to_station``. */
-static inline bool derivative_curves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t)
+static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double station, double station_t)
 {
     double way_t;
     double way;
@@ -342,7 +342,7 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d work, ar
     exists = 1;
     if (spacing == 0.0)
     {
-        n1 = derivative_curves__arc_rule_t(work, work_t, tables, curve, way, way_t);
+        n1 = derivative_curves__arc_rule_t(tables, work, work_t, pair, curve, way, way_t);
         exists = n1;
     }
     else
@@ -358,7 +358,7 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d work, ar
         {
             if (exists)
             {
-                n2 = derivative_curves__chord_rule_t(work, work_t, tables, curve, chord, chord_t);
+                n2 = derivative_curves__chord_rule_t(tables, work, work_t, pair, curve, chord, chord_t);
                 exists = n2;
             }
         }
@@ -367,7 +367,7 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d work, ar
 }
 
 /* Derivative of ``arc_rule``. */
-static inline bool derivative_curves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t)
+static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double length, double length_t)
 {
     double start_t;
     double start;
@@ -382,12 +382,12 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d work, array_dou
     bool exists;
     start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    n1 = curves__move_arc(work, tables, curve, length);
+    n1 = curves__move_arc(tables, work, pair, curve, length);
     exists = n1;
     if (exists)
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-        v2 = curves__curve_speed(work, tables, curve, u);
+        v2 = curves__curve_speed(tables, work, pair, curve, u);
         place_t = length_t / v2;
         place = length / v2;
         if (u == start)
@@ -397,8 +397,8 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d work, array_dou
         }
         else
         {
-            derivative_curves__arc_length_t(&v3, &v3_t, work, work_t, tables, curve, start, start_t, u, 0.0);
-            v4 = curves__curve_speed(work, tables, curve, u);
+            derivative_curves__arc_length_t(&v3, &v3_t, tables, work, work_t, pair, curve, start, start_t, u, 0.0);
+            v4 = curves__curve_speed(tables, work, pair, curve, u);
             place_t = place_t - v3_t / v4;
             place = place - v3 / v4;
         }
@@ -409,7 +409,7 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d work, array_dou
 }
 
 /* Derivative of ``chord_rule``. */
-static inline bool derivative_curves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t)
+static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double chord, double chord_t)
 {
     double start_t;
     double start;
@@ -441,13 +441,13 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d work, array_d
     bool exists;
     start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    derivative_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, start, start_t);
-    n1 = curves__move_chord(work, tables, curve, chord);
+    derivative_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, start, start_t);
+    n1 = curves__move_chord(tables, work, pair, curve, chord);
     exists = n1;
     if (exists)
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, u, 0.0);
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, 0.0);
         across_t = across_t - from_across_t;
         across = across - from_across;
         down_t = down_t - from_down_t;
@@ -468,7 +468,7 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d work, array_d
 }
 
 /* Derivative of ``across_rule``. */
-static inline bool derivative_curves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t)
+static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double lateral, double lateral_t)
 {
     bool n1;
     double u;
@@ -484,12 +484,12 @@ static inline bool derivative_curves__across_rule_t(array_double_1d work, array_
     double bend_t;
     double v2;
     bool exists;
-    n1 = curves__move_across(work, tables, lateral);
+    n1 = curves__move_across(tables, work, pair, lateral);
     exists = n1;
     if (exists)
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, u, 0.0);
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, 0.0);
         v2 = -(across - lateral);
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = (-(across_t - lateral_t)) / stretch;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
@@ -503,26 +503,17 @@ static inline bool derivative_curves__across_rule_t(array_double_1d work, array_
  * Derivatives of deep_points.py.
  */
 
-/* Derivative of ``copy_point``. */
-static inline int64_t derivative_deep_points__copy_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t copy)
-{
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
-    (*cspan_at(&work_t, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN));
-    (*cspan_at(&work, copy + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
-    return INT64_C(0);
-}
-
 /* Derivative of ``keep_deepest``. */
 static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t)
 {
-    derivative_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    int64_t i_1;
+    int64_t k1;
+    for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+    {
+        k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work_t, k1));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work, k1));
+    }
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
     return INT64_C(0);
@@ -533,30 +524,30 @@ static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work
 {
     int64_t entry_end;
     int64_t entry;
+    int64_t i_1;
     (*cspan_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = 0.0;
     (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
     entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        derivative_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+        }
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``follow_overlaps``. */
-static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t)
+static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, double height_t)
 {
     int64_t entry_end;
     int64_t entry;
     int64_t point;
+    int64_t i_1;
     double x_t;
     double x;
-    double rail;
-    double rail_t;
-    double wheel;
-    double wheel_t;
-    double depth;
-    double depth_t;
     bool turned;
     int64_t result;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height_t;
@@ -567,32 +558,36 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        derivative_deep_points__copy_point_t(work, work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry, point);
+        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, point + i_1)) = (*cspan_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+        }
         x_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        derivative_pressed__turning_point_t(&rail, &rail_t, &wheel, &wheel_t, &depth, &depth_t, &turned, work, work_t, tables, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
-        if ((!turned) || (!(depth > 0.0)))
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
+        if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
         }
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = rail_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = wheel_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = depth_t;
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = x_t;
+        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = x;
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
     entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        derivative_deep_points__follow_saddle_t(work, work_t, tables, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height, height_t);
+        derivative_deep_points__follow_saddle_t(tables, work, work_t, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height, height_t);
     }
     result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
 }
 
 /* Derivative of ``follow_saddle``. */
-static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t)
+static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, double height_t)
 {
     double v1;
     double y_t;
@@ -607,10 +602,7 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d wo
     double reach;
     double x;
     double x_t;
-    double depth;
-    double depth_t;
     bool turned;
-    double v6;
     v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
     y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
     y = 0.5 * v1;
@@ -632,16 +624,15 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d wo
     }
     reach_t = v5_t;
     reach = v5;
-    derivative_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
+    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
     if (!turned)
     {
-        v6 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        derivative_pressed__turning_point_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &turned, work, work_t, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t, -1.0, 0.0);
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), y, y_t, height, height_t, -1.0, 0.0);
     }
     (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = depth_t;
-    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;
+    (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     return INT64_C(0);
 }
 
@@ -652,7 +643,7 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d wo
  */
 
 /* Derivative of ``open_frame``. */
-static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
 {
     double bend;
     double bend_t;
@@ -677,13 +668,13 @@ static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, dou
     double cosine;
     double sine_t;
     double sine;
-    derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
     (*y_track_t) = (*y_track_t) + aside_t;
     (*y_track) = (*y_track) + aside;
     abscissa_t = (*y_track_t);
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    derivative_tables__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    abscissa = (*y_track) - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    derivative_tables__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + (*rail_slope) * (*rail_slope);
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -739,7 +730,7 @@ static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, dou
 }
 
 /* Derivative of ``normal_gap``. */
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t k1;
     double rail_height;
@@ -758,8 +749,8 @@ static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t,
     bool on_wheel;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
-    derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, work, work_t, tables, station, station_t, tolerance, tolerance_t);
-    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, work, work_t, tables, station, station_t, tolerance, tolerance_t);
+    derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
     (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
@@ -776,36 +767,8 @@ static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t,
     return 0;
 }
 
-/* Derivative of ``keep_frame``. */
-static inline int64_t derivative_frame__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, kept + i)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``use_frame``. */
-static inline int64_t derivative_frame__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
-{
-    int64_t kept;
-    int64_t i;
-    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot;
-    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work_t, kept + i));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
-    }
-    return INT64_C(0);
-}
-
 /* Derivative of ``locate_along_track``. */
-static inline int64_t derivative_frame__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -814,7 +777,7 @@ static inline int64_t derivative_frame__locate_along_track_t(array_double_1d wor
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        derivative_locus__outline_x_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
         (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
     }
@@ -824,9 +787,14 @@ static inline int64_t derivative_frame__locate_along_track_t(array_double_1d wor
 /* Derivative of ``enter_plane``. */
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot)
 {
+    int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
-        derivative_frame__use_frame_t(work, work_t, slot);
+        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+        }
     }
     return INT64_C(0);
 }
@@ -834,9 +802,14 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
 /* Derivative of ``leave_plane``. */
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
 {
+    int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
-        derivative_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
+        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+        }
     }
     return INT64_C(0);
 }
@@ -880,7 +853,7 @@ static inline int64_t derivative_frame__incline_region_t(array_double_1d work, a
 }
 
 /* Derivative of ``measure_contact``. */
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     double gap;
     double gap_t;
@@ -890,7 +863,7 @@ static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, 
     double bend_t;
     double curvature;
     double curvature_t;
-    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
+    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
@@ -930,37 +903,39 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
  */
 
 /* Derivative of ``turning_rule``. */
-static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t)
+static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t)
 {
-    double rise;
+    int64_t meeting;
+    bool n1;
     double rise_t;
-    double rate;
-    double rate_t;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double bend;
-    double bend_t;
-    double more;
-    double more_t;
+    double rise;
     double change;
-    double v1;
+    double v2;
+    meeting = place + layout__PLACE_MEETING;
     x_t = 0.0;
+    y_t = 0.0;
     (*found_x_t) = x_t;
     (*found_x) = x;
-    derivative_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &rise, &rise_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, x, x_t, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
-    if ((*found))
+    (*overlap_t) = 0.0;
+    (*overlap) = 0.0;
+    n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+    if (n1)
     {
-        derivative_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, x, 1.0, y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
-        change = more_t - rise_t;
+        rise_t = (*cspan_at(&work_t, meeting + layout__MEETING_RISE));
+        rise = (*cspan_at(&work, meeting + layout__MEETING_RISE));
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, 1.0, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+        change = (*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - rise_t;
         if (change != 0.0)
         {
-            v1 = -rise;
+            v2 = -rise;
             (*found_x_t) = (-rise_t) / change;
             (*found_x) = x;
         }
-        derivative_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &rate, &rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, (*found_x), (*found_x_t), y, 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, (*found_x), (*found_x_t), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
+        y_t = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
+        (*overlap_t) = (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP));
+        (*overlap) = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
     }
     (*result_2) = y;
     (*result_3) = y_t;
@@ -968,7 +943,7 @@ static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, doubl
 }
 
 /* Derivative of ``overlaps_rule``. */
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double height, double height_t)
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double height, double height_t)
 {
     int64_t n1;
     int64_t entry;
@@ -979,16 +954,15 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work,
     double y_t;
     double depth;
     double depth_t;
-    bool found;
     int64_t following;
     double v2;
     int64_t count;
-    n1 = overlaps__find_overlaps(work, tables, side, height);
+    n1 = overlaps__find_overlaps(tables, work, pair, side, height);
     count = n1;
     for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &found, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
         (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = x_t;
         (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = y_t;
         (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = depth_t;
@@ -998,7 +972,7 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work,
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
         v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &found, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t);
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t);
         (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
         (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = depth_t;
     }
@@ -1011,37 +985,10 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work,
  * Derivatives of pressed.py.
  */
 
-/* Derivative of ``normal_line``. */
-static inline int64_t derivative_pressed__normal_line_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* curvature, double* curvature_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
-{
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double bend;
-    double bend_t;
-    double v2;
-    double v2_t;
-    double v1;
-    double v1_t;
-    derivative_pressed__meet_rule_t(&y, &y_t, overlap, overlap_t, rise, rise_t, rate, rate_t, &z, &z_t, &slope, &slope_t, &bend, &bend_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
-    (*curvature_t) = 0.0;
-    (*curvature) = 0.0;
-    if ((*found))
-    {
-        derivative_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, bend, bend_t);
-        derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, v2, v2_t);
-        (*curvature_t) = v1_t;
-        (*curvature) = v1;
-    }
-    (*result_0) = y;
-    (*result_1) = y_t;
-    return 0;
-}
-
 /* Derivative of ``meet_wheel``. */
-static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, double* result_10, double* result_11, double* result_12, double* result_13, bool* result_14_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
+    int64_t meeting;
     int64_t wheel;
     double z_rail;
     double z_rail_t;
@@ -1120,15 +1067,17 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
     double turn;
     double v23;
     double v24;
-    double relative_kappa_t;
-    double relative_kappa;
     double v25;
-    double v25_t;
     double v26;
+    double v26_t;
     double v27;
-    double v27_t;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    double v28;
+    double v28_t;
+    meeting = place + layout__PLACE_MEETING;
+    (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP)) = 0.0;
+    (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = 0.0;
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -1143,7 +1092,7 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - abscissa_t;
-        across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
+        across = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa;
         down_t = z_track_t + height_t - z_rail_t;
         down = z_track + height - z_rail;
         residual_t = across_t + (down_t * m + down * m_t);
@@ -1153,21 +1102,6 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
         along = stretch * v6;
         if (!((along > 0.0) && (stretch > 0.0)))
         {
-            (*result_0_0001) = y;
-            (*result_1_0001) = y_t;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            (*result_4) = 0.0;
-            (*result_5) = 0.0;
-            (*result_6_0001) = 0.0;
-            (*result_7_0001) = 0.0;
-            (*result_8) = 0.0;
-            (*result_9) = 0.0;
-            (*result_10) = 0.0;
-            (*result_11) = 0.0;
-            (*result_12) = 0.0;
-            (*result_13) = 0.0;
-            (*result_14_0001) = 0;
             return 0;
         }
         v7 = -residual;
@@ -1188,21 +1122,6 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
             overlap = v9 * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))
             {
-                (*result_0_0001) = y;
-                (*result_1_0001) = y_t;
-                (*result_2) = 0.0;
-                (*result_3) = 0.0;
-                (*result_4) = 0.0;
-                (*result_5) = 0.0;
-                (*result_6_0001) = 0.0;
-                (*result_7_0001) = 0.0;
-                (*result_8) = 0.0;
-                (*result_9) = 0.0;
-                (*result_10) = 0.0;
-                (*result_11) = 0.0;
-                (*result_12) = 0.0;
-                (*result_13) = 0.0;
-                (*result_14_0001) = 0;
                 return 0;
             }
             v10 = outline_slope - m;
@@ -1230,96 +1149,54 @@ static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, do
             v22 = v20 * v21;
             turn_t = ((wheel_kappa_t * steep + wheel_kappa * steep_t) * v21 + v20 * derivative_rates__root_rate(v21, steep_t)) * rest + v22 * rest_t;
             turn = v22 * rest;
+            (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)) = y_t + move_t;
+            (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) = y + move;
             v23 = rise + 0.5 * turn;
-            overlap_t = overlap_t + (rest_t * v23 + rest * (rise_t + 0.5 * turn_t));
-            overlap = overlap + rest * v23;
-            rise_t = rise_t + turn_t;
-            rise = rise + turn;
-            y_t = y_t + move_t;
-            y = y + move;
-            z_t = z_t + (slope_t * move + slope * move_t);
-            z = z + slope * move;
-            slope_t = slope_t + (bend_t * move + bend * move_t);
-            slope = slope + bend * move;
+            (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP)) = overlap_t + (rest_t * v23 + rest * (rise_t + 0.5 * turn_t));
+            (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = overlap + rest * v23;
+            (*cspan_at(&work_t, meeting + layout__MEETING_RISE)) = rise_t + turn_t;
+            (*cspan_at(&work, meeting + layout__MEETING_RISE)) = rise + turn;
             v24 = sqrt(steep);
-            relative_kappa_t = wheel_kappa_t * v24 + wheel_kappa * derivative_rates__root_rate(v24, steep_t) - kappa_t;
-            relative_kappa = wheel_kappa * v24 - kappa;
-            (*result_0_0001) = y;
-            (*result_1_0001) = y_t;
-            (*result_2) = overlap;
-            (*result_3) = overlap_t;
-            (*result_4) = rise;
-            (*result_5) = rise_t;
-            (*result_6_0001) = steep * relative_kappa;
-            (*result_7_0001) = steep_t * relative_kappa + steep * relative_kappa_t;
-            (*result_8) = z;
-            (*result_9) = z_t;
-            (*result_10) = slope;
-            (*result_11) = slope_t;
-            (*result_12) = bend;
-            (*result_13) = bend_t;
-            (*result_14_0001) = 1;
-            return 0;
+            v25 = wheel_kappa * v24 - kappa;
+            (*cspan_at(&work_t, meeting + layout__MEETING_RATE)) = steep_t * v25 + steep * (wheel_kappa_t * v24 + wheel_kappa * derivative_rates__root_rate(v24, steep_t) - kappa_t);
+            (*cspan_at(&work, meeting + layout__MEETING_RATE)) = steep * v25;
+            (*cspan_at(&work_t, meeting + layout__MEETING_Z)) = z_t + (slope_t * move + slope * move_t);
+            (*cspan_at(&work, meeting + layout__MEETING_Z)) = z + slope * move;
+            (*cspan_at(&work_t, meeting + layout__MEETING_SLOPE)) = slope_t + (bend_t * move + bend * move_t);
+            (*cspan_at(&work, meeting + layout__MEETING_SLOPE)) = slope + bend * move;
+            (*cspan_at(&work_t, meeting + layout__MEETING_BEND)) = bend_t;
+            (*cspan_at(&work, meeting + layout__MEETING_BEND)) = bend;
+            return 1;
         }
-        v25 = move;
-        v25_t = move_t;
-        if (pressed__LINE_STEP < v25)
+        v26 = move;
+        v26_t = move_t;
+        if (pressed__LINE_STEP < v26)
         {
-            v25 = pressed__LINE_STEP;
-            v25_t = 0.0;
+            v26 = pressed__LINE_STEP;
+            v26_t = 0.0;
         }
-        v26 = -pressed__LINE_STEP;
-        v27 = v25;
-        v27_t = v25_t;
-        if (v26 > v27)
+        v27 = -pressed__LINE_STEP;
+        v28 = v26;
+        v28_t = v26_t;
+        if (v27 > v28)
         {
-            v27 = v26;
-            v27_t = 0.0;
+            v28 = v27;
+            v28_t = 0.0;
         }
-        move_t = v27_t;
-        move = v27;
+        move_t = v28_t;
+        move = v28;
         y_t = y_t + move_t;
         y = y + move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
-            (*result_0_0001) = y;
-            (*result_1_0001) = y_t;
-            (*result_2) = 0.0;
-            (*result_3) = 0.0;
-            (*result_4) = 0.0;
-            (*result_5) = 0.0;
-            (*result_6_0001) = 0.0;
-            (*result_7_0001) = 0.0;
-            (*result_8) = 0.0;
-            (*result_9) = 0.0;
-            (*result_10) = 0.0;
-            (*result_11) = 0.0;
-            (*result_12) = 0.0;
-            (*result_13) = 0.0;
-            (*result_14_0001) = 0;
             return 0;
         }
     }
-    (*result_0_0001) = y;
-    (*result_1_0001) = y_t;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
-    (*result_4) = 0.0;
-    (*result_5) = 0.0;
-    (*result_6_0001) = 0.0;
-    (*result_7_0001) = 0.0;
-    (*result_8) = 0.0;
-    (*result_9) = 0.0;
-    (*result_10) = 0.0;
-    (*result_11) = 0.0;
-    (*result_12) = 0.0;
-    (*result_13) = 0.0;
-    (*result_14_0001) = 0;
     return 0;
 }
 
 /* Derivative of ``mean_bend``. */
-static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double y, double y_t, double bend, double bend_t)
+static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double y, double y_t, double bend, double bend_t)
 {
     double blur_t;
     double blur;
@@ -1345,7 +1222,7 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
     blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
-        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+        wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
         low_t = y_t - blur_t;
         low = y - blur;
         high_t = y_t + blur_t;
@@ -1382,7 +1259,7 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* 
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t)
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
 {
     int64_t k1;
     int64_t rail;
@@ -1395,25 +1272,20 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
     int64_t trace;
     double estimate_t;
     double estimate;
-    double y;
-    double y_t;
-    double overlap;
-    double overlap_t;
-    double rise;
-    double rise_t;
-    double rise_rate;
-    double rise_rate_t;
-    double found_curvature;
-    double found_curvature_t;
-    bool found;
-    double v3;
+    bool n3;
+    int64_t meeting;
+    double v5;
+    double v5_t;
     double v4;
+    double v4_t;
+    double v6;
+    double v7;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
     abscissa_t = v2_t;
     abscissa = v2;
     (*gap_t) = 0.0;
@@ -1429,26 +1301,29 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        derivative_pressed__normal_line_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
-        if (found)
+        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
+        if (n3)
         {
-            (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap_t;
-            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap;
-            (*rate_t) = -rise_t;
-            (*rate) = -rise;
-            (*bend_t) = -rise_rate_t;
-            (*bend) = -rise_rate;
-            (*curvature_t) = found_curvature_t;
-            (*curvature) = found_curvature;
+            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING;
+            (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP));
+            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
+            (*rate_t) = -(*cspan_at(&work_t, meeting + layout__MEETING_RISE));
+            (*rate) = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
+            (*bend_t) = -(*cspan_at(&work_t, meeting + layout__MEETING_RATE));
+            (*bend) = -(*cspan_at(&work, meeting + layout__MEETING_RATE));
+            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND)), (*cspan_at(&work_t, meeting + layout__MEETING_BEND)));
+            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*cspan_at(&work_t, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), (*cspan_at(&work_t, meeting + layout__MEETING_SLOPE)), v5, v5_t);
+            (*curvature_t) = v4_t;
+            (*curvature) = v4;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v3 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
-                v4 = v3 / way;
-                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v4 * way_t) / way;
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v4;
+                v6 = (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
+                v7 = v6 / way;
+                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = ((*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v7 * way_t) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v7;
             }
-            (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t;
-            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
+            (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
@@ -1489,67 +1364,54 @@ static inline int64_t derivative_pressed__limited_t(double* result_0, double* re
 }
 
 /* Derivative of ``turning_point``. */
-static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
+static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
 {
+    int64_t meeting;
     double v1;
     double x_t;
     double x;
-    double overlap_t;
-    double overlap;
-    double rise_t;
-    double rise;
     double before_t;
     double before;
     bool moved_low;
     bool moved_high;
     int64_t i;
-    double bend;
-    double bend_t;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double wheel_bend;
-    double wheel_bend_t;
-    bool found;
-    double v2;
+    bool n2;
+    double v3;
     double following_t;
     double following;
     double z_rail;
     double z_rail_t;
-    double v3;
+    double slope;
+    double slope_t;
     double v4;
     double v5;
     double v6;
+    double v7;
     double newton_t;
     double newton;
-    bool turned;
+    double rise_t;
+    double rise;
+    meeting = place + layout__PLACE_MEETING;
     v1 = low + high;
     x_t = 0.5 * (low_t + high_t);
     x = 0.5 * v1;
-    overlap_t = 0.0;
-    overlap = 0.0;
-    rise_t = 0.0;
-    rise = 1.0;
     before_t = 0.0;
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
     for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        derivative_pressed__meet_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &bend, &bend_t, &z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, &found, work, work_t, tables, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
-        if (!found)
+        n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+        if (!n2)
         {
             (*result_0) = x;
             (*result_1) = x_t;
-            (*result_2_0001) = y;
-            (*result_3_0001) = y_t;
-            (*result_4) = overlap;
-            (*result_5) = overlap_t;
-            (*result_6) = 0;
+            (*result_2_0001) = 0;
             return 0;
         }
-        if (sign * rise > 0.0)
+        y_t = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
+        if (sign * (*cspan_at(&work, meeting + layout__MEETING_RISE)) > 0.0)
         {
             low_t = x_t;
             low = x;
@@ -1561,18 +1423,18 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0, doub
             high = x;
             moved_high = 1;
         }
-        v2 = low + high;
+        v3 = low + high;
         following_t = 0.5 * (low_t + high_t);
-        following = 0.5 * v2;
-        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
+        following = 0.5 * v3;
+        if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
         {
-            derivative_tables__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
-            v3 = 1.0 + slope * slope;
-            v4 = sqrt(v3);
-            v5 = bend * v4;
-            v6 = rise / v5;
-            newton_t = x_t - (rise_t - v6 * (bend_t * v4 + bend * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t))) / v5;
-            newton = x - v6;
+            derivative_tables__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
+            v4 = 1.0 + slope * slope;
+            v5 = sqrt(v4);
+            v6 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) * v5;
+            v7 = (*cspan_at(&work, meeting + layout__MEETING_RISE)) / v6;
+            newton_t = x_t - ((*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - v7 * ((*cspan_at(&work_t, meeting + layout__MEETING_RATE)) * v5 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v5, slope_t * slope + slope * slope_t))) / v6;
+            newton = x - v7;
             if ((newton > low) && (newton < high))
             {
                 following_t = newton_t;
@@ -1585,29 +1447,33 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0, doub
         }
         x_t = following_t;
         x = following;
-        before_t = derivative_rates__size_rate(rise, rise_t);
-        before = fabs(rise);
+        before_t = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), (*cspan_at(&work_t, meeting + layout__MEETING_RISE)));
+        before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     }
-    turned = (fabs(rise) < pressed__ZERO_RISE) || ((fabs(rise) < pressed__LEVEL_RISE) && moved_low && moved_high);
+    rise_t = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), (*cspan_at(&work_t, meeting + layout__MEETING_RISE)));
+    rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     (*result_0) = x;
     (*result_1) = x_t;
-    (*result_2_0001) = y;
-    (*result_3_0001) = y_t;
-    (*result_4) = overlap;
-    (*result_5) = overlap_t;
-    (*result_6) = turned;
+    (*result_2_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
 
 /* Derivative of ``meet_rule``. */
-static inline int64_t derivative_pressed__meet_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* z, double* z_t, double* slope, double* slope_t, double* bend, double* bend_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
 {
+    bool n1;
     double z_rail;
     double z_rail_t;
     double m;
     double m_t;
     double rail_bend;
     double rail_bend_t;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double bend;
+    double bend_t;
     double y_track;
     double y_track_t;
     double z_track;
@@ -1616,35 +1482,32 @@ static inline int64_t derivative_pressed__meet_rule_t(double* result_0, double* 
     double outline_slope_t;
     double stretch;
     double stretch_t;
-    double v1;
+    double rate;
+    double rate_t;
+    double v2;
     double residual_t;
     double residual;
-    double v2;
     double v3;
-    pressed__meet_wheel(&y, overlap, rise, rate, z, slope, bend, found, work, tables, place, abscissa, y, height, tolerance);
-    y_t = 0.0;
-    (*overlap_t) = 0.0;
-    (*rise_t) = 0.0;
-    (*rate_t) = 0.0;
-    (*z_t) = 0.0;
-    (*slope_t) = 0.0;
-    (*bend_t) = 0.0;
-    if ((*found))
+    double v4;
+    bool found;
+    n1 = pressed__meet_wheel(tables, work, pair, place, abscissa, y, height, tolerance);
+    found = n1;
+    if (found)
     {
-        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-        derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, rate, rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), (*bend), (*bend_t));
-        v1 = z_track + height - z_rail;
-        residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
-        residual = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa + v1 * m;
-        v2 = -residual;
-        v3 = stretch * (1.0 + m * outline_slope);
-        y_t = (-residual_t) / v3;
-        derivative_pressed__meet_wheel_t(&y, &y_t, overlap, overlap_t, rise, rise_t, rate, rate_t, z, z_t, slope, slope_t, bend, bend_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
+        y_t = 0.0;
+        y = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
+        derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+        v2 = z_track + height - z_rail;
+        residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v2 * m_t);
+        residual = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa + v2 * m;
+        v3 = -residual;
+        v4 = stretch * (1.0 + m * outline_slope);
+        y_t = (-residual_t) / v4;
+        derivative_pressed__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
-    (*result_0) = y;
-    (*result_1) = y_t;
-    return 0;
+    return found;
 }
 
 
@@ -1654,7 +1517,7 @@ static inline int64_t derivative_pressed__meet_rule_t(double* result_0, double* 
  */
 
 /* Derivative of ``touching_shift``. */
-static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point)
+static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point)
 {
     double z;
     double z_t;
@@ -1670,10 +1533,10 @@ static inline int64_t derivative_pressed_regions__touching_shift_t(double* resul
     double z_rail_t;
     double m;
     double m_t;
-    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
+    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
     derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), z, z_t, slope, slope_t);
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - y_track;
     (*result_1) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) - y_track_t;
     (*result_2) = z_rail - z_track;
     (*result_3) = z_rail_t - z_track_t;
@@ -1695,7 +1558,7 @@ static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d 
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double penetration, double penetration_t)
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double penetration, double penetration_t)
 {
     double v1;
     double height_t;
@@ -1705,7 +1568,7 @@ static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d w
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
-    n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, height, height_t);
+    n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
     count = n2;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
@@ -1719,26 +1582,46 @@ static inline int64_t derivative_pressed_regions__sink_deeper_t(array_double_1d 
     double v1;
     double height_t;
     double height;
+    int64_t i_1;
     int64_t index;
     int64_t region;
+    int64_t i_2;
+    int64_t i_3;
+    int64_t i_4;
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
-    derivative_frame__keep_frame_t(work, work_t, layout__REGION_LIMIT);
+    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+    }
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        derivative_frame__use_frame_t(work, work_t, index);
+        for (i_2 = INT64_C(0); i_2 < INT64_C(27); i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
+        }
         derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
-        derivative_frame__keep_frame_t(work, work_t, index);
+        for (i_3 = INT64_C(0); i_3 < layout__FRAME_SIZE; i_3 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
+        }
     }
-    derivative_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
+    for (i_4 = INT64_C(0); i_4 < INT64_C(27); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
+    }
     return INT64_C(0);
 }
 
 /* Derivative of ``open_pressed_region``. */
-static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point)
+static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail;
     double z_rail_t;
@@ -1752,13 +1635,13 @@ static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_do
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
     (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     derivative_frame__incline_region_t(work, work_t, tables, region, m, m_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``give_own_frame``. */
-static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point)
+static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     double cosine_t;
     double cosine;
@@ -1793,8 +1676,8 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
+    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     v6 = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
@@ -1802,7 +1685,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = v6;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * depth + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth_t - (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    derivative_curves__rail_length_t(&v7, &v7_t, tables, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v7_t;
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
@@ -1810,9 +1693,10 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     int64_t contact;
+    int64_t i_1;
     int64_t index;
     int64_t region;
     int64_t point;
@@ -1828,21 +1712,27 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
     double v1_t;
     double v2;
     double v2_t;
+    int64_t i_2;
+    int64_t i_3;
     int64_t count;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
-    derivative_frame__keep_frame_t(work, work_t, layout__REGION_LIMIT);
+    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+    }
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
-        derivative_pressed_regions__open_pressed_region_t(work, work_t, tables, region, point);
+        derivative_pressed_regions__open_pressed_region_t(tables, work, work_t, pair, region, point);
         if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
         {
-            derivative_pressed_regions__give_own_frame_t(work, work_t, tables, region, point);
+            derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, 0.0, 0.0);
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, 0.0);
         (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
@@ -1853,22 +1743,30 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
         if (index > INT64_C(0))
         {
-            derivative_curves__rail_length_t(&v1, &v1_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
             (*cspan_at(&work_t, region + layout__REGION_LOW)) = v1_t;
             (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
         }
         if (index < count - INT64_C(1))
         {
-            derivative_curves__rail_length_t(&v2, &v2_t, tables, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
+            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
             (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v2_t;
             (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
         }
-        derivative_frame__keep_frame_t(work, work_t, index);
-        derivative_frame__use_frame_t(work, work_t, layout__REGION_LIMIT);
+        for (i_2 = INT64_C(0); i_2 < layout__FRAME_SIZE; i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+        }
+        for (i_3 = INT64_C(0); i_3 < INT64_C(27); i_3 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+        }
     }
     if (count > INT64_C(1))
     {
-        derivative_frame__locate_along_track_t(work, work_t, tables, count);
+        derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
     }
     return count;
 }
@@ -1880,7 +1778,7 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
  */
 
 /* Derivative of ``vertical_rise``. */
-static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t)
+static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
 {
     double per_station_t;
     double per_station;
@@ -1914,16 +1812,16 @@ static inline int64_t derivative_separation__vertical_rise_t(double* result_0, d
     v1 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION));
     lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
     lateral = v1 * per_station;
-    n2 = derivative_curves__across_rule_t(work, work_t, tables, lateral, lateral_t);
+    n2 = derivative_curves__across_rule_t(tables, work, work_t, pair, lateral, lateral_t);
     (*exists) = n2;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    if (curves__within(tables, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
         (*exists) = 0;
     }
-    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v3 = bend / stretch;
     bend_t = rail_bend_t - (bend_t - v3 * stretch_t) / stretch;
     bend = rail_bend - v3;
@@ -1939,7 +1837,7 @@ static inline int64_t derivative_separation__vertical_rise_t(double* result_0, d
 }
 
 /* Derivative of ``equidistant_rise``. */
-static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t)
+static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
 {
     bool n1;
     bool on_rail;
@@ -1997,11 +1895,11 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
     double v20;
     double v21;
     double v22;
-    n1 = derivative_curves__move_to_station_t(work, work_t, tables, layout__RAIL, station, station_t);
+    n1 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__RAIL, station, station_t);
     on_rail = n1;
-    n2 = derivative_curves__move_to_station_t(work, work_t, tables, layout__WHEEL, station, station_t);
+    n2 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__WHEEL, station, station_t);
     on_wheel = n2;
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
@@ -2013,7 +1911,7 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
     v7 = v6 * rail_cos;
     rail_curvature_t = ((bend_t * rail_cos + bend * rail_cos_t) * rail_cos + v6 * rail_cos_t) * rail_cos + v7 * rail_cos_t;
     rail_curvature = v7 * rail_cos;
-    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
@@ -2062,7 +1960,7 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
 }
 
 /* Derivative of ``depth_lost``. */
-static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     double height;
     double height_t;
@@ -2086,7 +1984,7 @@ static inline int64_t derivative_separation__depth_lost_t(double* result_0, doub
     double v8;
     double v9;
     double v10;
-    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -2111,7 +2009,7 @@ static inline int64_t derivative_separation__depth_lost_t(double* result_0, doub
 }
 
 /* Derivative of ``moved_separation``. */
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, int64_t kind)
+static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, int64_t kind)
 {
     int64_t k1;
     bool exists;
@@ -2135,11 +2033,11 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
-        derivative_separation__vertical_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, work, work_t, tables, station, station_t);
+        derivative_separation__vertical_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
     else
     {
-        derivative_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, work, work_t, tables, station, station_t);
+        derivative_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
@@ -2147,7 +2045,7 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
-        derivative_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, work, work_t, tables);
+        derivative_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, tables, work, work_t, pair);
         (*gap_t) = (*gap_t) + lost_t;
         (*gap) = (*gap) + lost;
         (*rate_t) = (*rate_t) + more_t;
@@ -2160,8 +2058,8 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     }
     y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    derivative_pressed__mean_bend_t(&v2, &v2_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
+    derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, y, y_t, wheel_bend, wheel_bend_t);
     wheel_bend_t = v2_t;
     wheel_bend = v2;
     derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
@@ -2171,21 +2069,21 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
 }
 
 /* Derivative of ``separation``. */
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
-        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, tolerance, tolerance_t);
+        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t);
+        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t);
     }
     else
     {
-        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, station, station_t, kind);
+        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t, kind);
     }
     return 0;
 }
@@ -2365,18 +2263,18 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, doubl
 }
 
 /* Derivative of ``trace_rail``. */
-static inline int64_t derivative_traces__trace_rail_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_rail_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
 {
     double slope;
     double slope_t;
     double height;
     double height_t;
-    derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
+    derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
     return 0;
 }
 
 /* Derivative of ``trace_wheel``. */
-static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t place;
     double lifted_t;
@@ -2392,7 +2290,7 @@ static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double*
     {
         lifted_t = station_t - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
         lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
+        derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
         (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
         (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
@@ -2401,13 +2299,13 @@ static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double*
     }
     else
     {
-        derivative_traces__trace_outline_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, curvature, curvature_t, exists, work, work_t, tables, station, station_t, tolerance, tolerance_t);
+        derivative_traces__trace_outline_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, curvature, curvature_t, exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
     return 0;
 }
 
 /* Derivative of ``trace_outline``. */
-static inline int64_t derivative_traces__trace_outline_t(double* ordinate, double* ordinate_t, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_outline_t(double* ordinate, double* ordinate_t, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t wheel;
     int64_t place;
@@ -2477,7 +2375,7 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
     double v16_t;
     double v17;
     double v18;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
     cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
@@ -2485,7 +2383,7 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
     sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
-    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    left = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
     above_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
@@ -2628,7 +2526,7 @@ static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, do
 }
 
 /* Derivative of ``zone_width``. */
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -2685,7 +2583,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     limit_t = v1_t;
     limit = v1;
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
     tolerance_t = v2_t;
     tolerance = v2;
@@ -2722,7 +2620,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
         }
         width_t = v4_t;
         width = v4;
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
@@ -2804,7 +2702,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
 }
 
 /* Derivative of ``measure_widths``. */
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double local_penetration, double local_penetration_t)
 {
     double v1;
     double v2;
@@ -2885,7 +2783,7 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
         high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    derivative_widths__width_rule_t(&v10, &v10_t, work, work_t, tables, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
+    derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
     high_t = v10_t;
     high = v10;
     high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
@@ -2897,7 +2795,7 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v11, &v11_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = v11_t;
         slant = v11;
     }
@@ -2906,12 +2804,12 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, 
         low_t = high_t;
         low = high;
     }
-    derivative_widths__width_rule_t(&v12, &v12_t, work, work_t, tables, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
+    derivative_widths__width_rule_t(&v12, &v12_t, tables, work, work_t, pair, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
     low_t = v12_t;
     low = v12;
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v13, &v13_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = slant_t - v13_t;
         slant = slant - v13;
         if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
@@ -2977,7 +2875,7 @@ static inline int64_t derivative_widths__side_curvature_t(double* curvature, dou
 }
 
 /* Derivative of ``width_rule``. */
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
 {
     double v1;
     double v1_t;
@@ -3003,7 +2901,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
     double y_t;
     double y;
     double out;
-    derivative_widths__zone_width_t(&v1, &v1_t, work, work_t, tables, region, direction, direction_t, level, level_t, estimate, estimate_t);
+    derivative_widths__zone_width_t(&v1, &v1_t, tables, work, work_t, pair, region, direction, direction_t, level, level_t, estimate, estimate_t);
     (*width_t) = v1_t;
     (*width) = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
@@ -3015,7 +2913,7 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
         tolerance_t = v3_t;
         tolerance = v3;
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
         rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -3024,22 +2922,22 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
         {
             moved = missing / (rate * direction);
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
         x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        if ((out != 0.0) && ((x < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
             moved = (-rail_rate) / out;
         }
         out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        if ((out != 0.0) && ((y < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
             moved = (-wheel_rate) / out;
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
         (*width_t) = moved;
         (*cspan_at(&work_t, region + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
     }
@@ -3047,13 +2945,13 @@ static inline int64_t derivative_widths__width_rule_t(double* width, double* wid
 }
 
 /* Derivative of ``width_jet``. */
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
 {
     double bend;
     double bend_t;
     double curvature;
     double curvature_t;
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

@@ -1225,7 +1225,6 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_do
     }
     derivative_cut__finish_strips_t(work, work_t, patch);
     derivative_cut__plane_slips_t(work, work_t, patch);
-    derivative_cut__clear_creep_t(work, work_t, patch);
     return INT64_C(0);
 }
 
@@ -2549,7 +2548,7 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
 /* Derivative of ``open_marches``. */
 static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t)
 {
-    int64_t i;
+    int64_t i_1;
     int64_t q;
     double v1;
     double v2;
@@ -2557,42 +2556,10 @@ static inline int64_t derivative_march__open_marches_t(array_double_1d work, arr
     double square;
     double v3;
     double v4;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i_1 = INT64_C(0); i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
     }
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
@@ -3473,7 +3440,7 @@ static inline int64_t derivative_motion__open_motion_t(array_double_1d work, arr
 }
 
 /* Derivative of ``open_left_rail``. */
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail)
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail)
 {
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
@@ -3482,14 +3449,14 @@ static inline int64_t derivative_motion__open_left_rail_t(array_double_1d work, 
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* Derivative of ``open_right_rail``. */
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail)
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail)
 {
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
@@ -3498,7 +3465,7 @@ static inline int64_t derivative_motion__open_right_rail_t(array_double_1d work,
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
     (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     return INT64_C(0);

@@ -418,19 +418,19 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
-    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+    derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        derivative_frame__locate_along_track_t(work, work_t, tables, (*count));
+        derivative_frame__locate_along_track_t(tables, work, work_t, pair, (*count));
         derivative_node_patches__fill_from_nodes_t(work, work_t, side, (*count));
     }
     return 0;
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     double v1;
@@ -448,12 +448,12 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        derivative_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
+        derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
     }
@@ -463,14 +463,14 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     {
         estimate_t = (*penetration_t);
         estimate = (*penetration);
-        n2 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
+        n2 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
         if (n2 == INT64_C(0))
         {
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, estimate, estimate_t, force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, estimate, estimate_t, force, force_t, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -480,25 +480,25 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
 {
     int64_t n1;
     int64_t n2;
-    n1 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
+    n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
     (*count) = n1;
-    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
+    derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, tables, work, work_t, pair, (*count), force, force_t, estimate, estimate_t, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         derivative_deep_points__keep_deepest_t(work, work_t);
-        n2 = derivative_analyn_contact__gather_regions_t(work, work_t, tables, estimate, estimate_t);
+        n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
         (*count) = n2;
-        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, estimate, estimate_t, by_penetration);
+        derivative_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, tables, work, work_t, pair, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }
     return 0;
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double penetration, double penetration_t)
 {
     int64_t i;
     int64_t n1;
@@ -510,14 +510,14 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
+    n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
 
 /* Derivative of ``solve_fine``. */
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
 {
     double start_t;
     double start;
@@ -530,7 +530,7 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        derivative_nodes__prepare_regions_t(work, work_t, tables, count, enlarge, 0.0);
+        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, 0.0);
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
@@ -1230,7 +1230,7 @@ static inline int64_t derivative_estimate__guess_penetration_t(double* v8, doubl
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     double A_t;
     double A;
@@ -1262,7 +1262,7 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     guess_t = v1_t;
     guess = v1;
-    derivative_widths__measure_widths_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
+    derivative_widths__measure_widths_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
     width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
@@ -1292,14 +1292,14 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
 }
 
 /* Derivative of ``first_penetration``. */
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     double v2;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
-    derivative_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    derivative_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, pair, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return 0;
 }
 
@@ -1765,7 +1765,7 @@ static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, dou
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
 {
     double v1;
     double v1_t;
@@ -1786,27 +1786,27 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
     int64_t n5;
     int64_t after;
     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_curves__open_origin_t(work, work_t, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
     (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    derivative_nodes__turn_cosine_t(&v2, &v2_t, work, work_t, tables);
+    derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
     (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2_t;
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
-    n4 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
+    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n4;
     (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    n5 = derivative_nodes__lay_side_nodes_t(work, work_t, tables, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
+    n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n5;
     (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
@@ -1814,7 +1814,7 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_
 }
 
 /* Derivative of ``turn_cosine``. */
-static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     double height;
     double height_t;
@@ -1823,7 +1823,7 @@ static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result
     double v1;
     double v2;
     double v3;
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     v2 = 1.0 + slope * slope;
     v3 = sqrt(v2);
@@ -1858,7 +1858,7 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
     double station_t;
@@ -1877,19 +1877,19 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
     station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
     derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, station, station_t, v2, v2_t);
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature_t;
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        derivative_nodes__turn_cosine_t(&v3, &v3_t, work, work_t, tables);
+        derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
         (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3_t;
         (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v4_t;
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v4;
         }
@@ -1898,7 +1898,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -1931,12 +1931,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, a
     {
         if ((k == traced) && (!ended))
         {
-            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
+            derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
                 derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, region, nodes, direction * (traced + step));
+                derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -2210,7 +2210,7 @@ static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* 
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double enlarge, double enlarge_t)
 {
     int64_t i;
     int64_t region;
@@ -2220,18 +2220,18 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, 
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        derivative_widths__measure_widths_t(work, work_t, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
-        derivative_nodes__prepare_nodes_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
+        derivative_nodes__prepare_nodes_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
 {
     bool yawed;
     double reach_t;
@@ -2267,12 +2267,12 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, ar
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    derivative_nodes__lay_nodes_t(work, work_t, tables, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    derivative_nodes__lay_nodes_t(tables, work, work_t, pair, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     derivative_nodes__bring_nearer_t(work, work_t, region, nodes);
     derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        derivative_patch_places__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     }
     v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
@@ -2287,7 +2287,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, ar
  */
 
 /* Derivative of ``hertz_contact``. */
-static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t point;
     int64_t table;
@@ -2335,7 +2335,7 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
     double v21;
     double pressure_t;
     double pressure;
-    derivative_frame__locate_along_track_t(work, work_t, tables, INT64_C(1));
+    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
@@ -2416,25 +2416,25 @@ static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetra
 }
 
 /* Derivative of ``solve_normal``. */
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        derivative_normal_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+        derivative_normal_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+        derivative_analyn_contact__analyn_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, force, force_t);
+        derivative_strip_contact__coarse_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, force, force_t);
     }
     else
     {
-        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+        derivative_strip_contact__strip_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     return 0;
 }
@@ -2446,7 +2446,7 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
  */
 
 /* Derivative of ``mean_normal``. */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
 {
     double v1;
     double v1_t;
@@ -2486,7 +2486,7 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d wor
     double v11;
     double v12;
     double v12_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
     arc_t = v1_t;
     arc = v1;
     total_t = 0.0;
@@ -2509,7 +2509,7 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d wor
         }
         for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
         {
-            derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
+            derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
             v3 = 1.0 + slope * slope;
             v4 = sqrt(v3);
             v5 = 1.0 / v4;
@@ -2535,7 +2535,7 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d wor
             sines_t = sines_t + ((weight_t * slope + weight * slope_t) * cosine + v7 * cosine_t);
             sines = sines + v7 * cosine;
             v9 = (double)(k + INT64_C(1));
-            derivative_tables__read_cubic_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
+            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
             x_t = v8_t;
             x = v8;
         }
@@ -2559,7 +2559,7 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d wor
 }
 
 /* Derivative of ``place_patches``. */
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side)
 {
     int64_t index_end;
     int64_t index;
@@ -2574,7 +2574,6 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d w
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        derivative_patch_places__open_place_t(work, work_t, patch);
         for (number = INT64_C(0); number < layout__REGION_LIMIT; number += INT64_C(1))
         {
             if ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) != 0.0)
@@ -2591,7 +2590,7 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d w
                 }
                 (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = v1_t;
                 (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = v1;
-                derivative_patch_places__place_load_t(work, work_t, tables, region, patch, number);
+                derivative_patch_places__place_load_t(tables, work, work_t, pair, region, patch, number);
             }
         }
         derivative_patch_places__close_place_t(work, work_t, patch);
@@ -2599,34 +2598,8 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d w
     return INT64_C(0);
 }
 
-/* Derivative of ``open_place``. */
-static inline int64_t derivative_patch_places__open_place_t(array_double_1d work, array_double_1d work_t, int64_t patch)
-{
-    int64_t i;
-    (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) = 0.0;
-    }
-    return INT64_C(0);
-}
-
 /* Derivative of ``place_load``. */
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t patch, int64_t number)
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
     double load_t;
     double load;
@@ -2683,10 +2656,10 @@ static inline int64_t derivative_patch_places__place_load_t(array_double_1d work
         away_t = ((*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + number)) - v1 * load_t) / load - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION));
         away = v1 - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
     }
-    derivative_patch_places__abscissa_at_t(&v2, &v2_t, work, work_t, tables, region, away, away_t);
+    derivative_patch_places__abscissa_at_t(&v2, &v2_t, tables, work, work_t, pair, region, away, away_t);
     abscissa_t = v2_t;
     abscissa = v2;
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
@@ -2703,7 +2676,7 @@ static inline int64_t derivative_patch_places__place_load_t(array_double_1d work
     }
     x_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * away_t);
     x = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
-    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
     {
         down_t = normal_cos_t;
@@ -2732,25 +2705,25 @@ static inline int64_t derivative_patch_places__place_load_t(array_double_1d work
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - x * force_z;
     (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + (x_t * force_y + x * force_y_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + x * force_y;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     v11 = 1.0 + wheel_slope * wheel_slope;
     v12 = sqrt(v11);
     v13 = away / v12;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * derivative_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * derivative_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
     (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (load_t * x + load * x_t);
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + load * x;
     (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) + (load_t * y + load * y_t);
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + load * y;
     (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) + (load_t * z + load * z_t);
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) + load * z;
-    v14 = (*cspan_at(&tables, layout__TABLES_RADIUS)) + wheel_height;
+    v14 = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + wheel_height;
     (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) + (load_t * v14 + load * wheel_height_t);
     (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) + load * v14;
     return INT64_C(0);
 }
 
 /* Derivative of ``abscissa_at``. */
-static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double away, double away_t)
+static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double away, double away_t)
 {
     double v1;
     double v1_t;
@@ -2758,7 +2731,7 @@ static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, d
     (*abscissa) = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
+        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
         (*abscissa_t) = v1_t;
         (*abscissa) = v1;
     }
@@ -2801,7 +2774,7 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
 }
 
 /* Derivative of ``place_strips``. */
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t patch)
 {
     int64_t number;
     int64_t region;
@@ -2830,18 +2803,18 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d wo
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        derivative_patch_places__abscissa_at_t(&v1, &v1_t, work, work_t, tables, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
+        derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
         abscissa_t = v1_t;
         abscissa = v1;
-        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
+        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = z_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, layout__TABLES_RADIUS)) + height;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
     }
     return INT64_C(0);
 }
@@ -2853,7 +2826,7 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d wo
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t)
 {
     int64_t index;
     int64_t region;
@@ -2861,14 +2834,14 @@ static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d wor
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         derivative_frame__enter_plane_t(work, work_t, region, index);
-        derivative_strip_contact__measure_zone_t(work, work_t, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
+        derivative_strip_contact__measure_zone_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
         derivative_frame__leave_plane_t(work, work_t, region);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t zone, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t)
 {
     double depth_t;
     double depth;
@@ -2936,10 +2909,10 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
         estimate = v6;
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, work, work_t, tables, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
         high_t = v7_t;
         high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, work, work_t, tables, region, -1.0, 0.0, level, level_t, high, high_t);
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, 0.0, level, level_t, high, high_t);
         low_t = v8_t;
         low = v8;
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
@@ -2951,25 +2924,25 @@ static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d w
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, int64_t wanted)
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, int64_t wanted)
 {
     derivative_strip_layout__divide_cells_t(work, work_t, count, wanted);
-    derivative_strip_surfaces__trace_strips_t(work, work_t, tables, count);
+    derivative_strip_surfaces__trace_strips_t(tables, work, work_t, pair, count);
     derivative_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     derivative_strip_surfaces__incline_strips_t(work, work_t, tables);
     return INT64_C(0);
 }
 
 /* Derivative of ``first_layout``. */
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
     bool found;
     int64_t sweep;
     derivative_strip_layout__zone_cells_t(work, work_t, count);
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    derivative_strip_surfaces__first_lengths_t(work, work_t, tables, count);
+    derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    derivative_strip_surfaces__first_lengths_t(tables, work, work_t, pair, count);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
@@ -2994,7 +2967,7 @@ static inline int64_t derivative_strip_contact__first_layout_t(double* result_0,
 }
 
 /* Derivative of ``second_layout``. */
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
 {
     double penetration_t;
     double penetration;
@@ -3003,8 +2976,8 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
     int64_t sweep;
     bool last;
     bool given;
-    derivative_strip_contact__lay_strips_t(work, work_t, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    derivative_strip_surfaces__lengths_before_t(work, work_t, tables);
+    derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    derivative_strip_surfaces__lengths_before_t(tables, work, work_t, pair);
     penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
@@ -3050,7 +3023,7 @@ static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, doubl
 }
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
     int64_t n1;
@@ -3068,9 +3041,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     by_penetration = isfinite(prescribed);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
+        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
-        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, 1);
+        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, 1);
     }
     else
     {
@@ -3078,7 +3051,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         estimate = prescribed;
         if (!by_penetration)
         {
-            derivative_estimate__first_penetration_t(&v2, &v2_t, work, work_t, tables, force, force_t);
+            derivative_estimate__first_penetration_t(&v2, &v2_t, tables, work, work_t, pair, force, force_t);
             estimate_t = v2_t;
             estimate = v2;
         }
@@ -3090,7 +3063,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         {
             estimate_t = penetration_t;
             estimate = penetration;
-            n3 = derivative_pressed_regions__sink_wheel_t(work, work_t, tables, side, estimate, estimate_t);
+            n3 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
             if (n3 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
@@ -3099,9 +3072,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 (*result_3) = 0;
                 return 0;
             }
-            n4 = derivative_strip_contact__open_zones_t(work, work_t, tables);
+            n4 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
             count = n4;
-            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
+            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
             {
                 break;
@@ -3116,7 +3089,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     }
     if (satisfied)
     {
-        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, by_penetration);
+        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, by_penetration);
     }
     if (satisfied)
     {
@@ -3124,7 +3097,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     }
     if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        derivative_frame__locate_along_track_t(work, work_t, tables, count);
+        derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
         derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
     }
     (*result_0_0001) = penetration;
@@ -3135,12 +3108,12 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     int64_t n1;
-    n1 = derivative_strip_contact__open_zones_t(work, work_t, tables);
+    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     (*count) = n1;
-    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, work, work_t, tables, (*count), force, force_t, 0);
+    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, tables, work, work_t, pair, (*count), force, force_t, 0);
     if ((*satisfied))
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
@@ -3149,17 +3122,17 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     int64_t n1;
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    n1 = derivative_pressed_regions__gather_overlaps_t(work, work_t, tables);
+    n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_contact__find_zones_t(work, work_t, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_contact__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -5455,7 +5428,7 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
  */
 
 /* Derivative of ``trace_strips``. */
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -5479,10 +5452,10 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
                 if (!started)
                 {
                     derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                    derivative_curves__open_origin_t(work, work_t, tables, region, 0.0, 0.0);
+                    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
                     started = 1;
                 }
-                derivative_strip_surfaces__trace_strip_t(work, work_t, tables, region, strip);
+                derivative_strip_surfaces__trace_strip_t(tables, work, work_t, pair, region, strip);
             }
         }
         derivative_frame__leave_plane_t(work, work_t, region);
@@ -5491,7 +5464,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
 }
 
 /* Derivative of ``trace_strip``. */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t strip)
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t strip)
 {
     double gap;
     double gap_t;
@@ -5510,7 +5483,7 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d w
     double v3;
     double v4;
     double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
     (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
@@ -5522,7 +5495,7 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d w
         (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = -rate_t;
         (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -5540,7 +5513,7 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d w
     (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        derivative_locus__outline_x_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
+        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
         (*cspan_at(&work_t, strip + layout__STRIP_X)) = v4_t;
         (*cspan_at(&work, strip + layout__STRIP_X)) = v4;
     }
@@ -5672,7 +5645,7 @@ static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1
 }
 
 /* Derivative of ``profile_within``. */
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t)
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t)
 {
     int64_t wheel;
     double v1;
@@ -5681,7 +5654,7 @@ static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, dou
     double v2_t;
     double slope;
     double slope_t;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     v1 = y;
     v1_t = y_t;
     if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
@@ -5703,7 +5676,7 @@ static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, dou
 }
 
 /* Derivative of ``measure_ridge``. */
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t strip, double away, double away_t)
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, double away_t)
 {
     double v1;
     double across_t;
@@ -5744,11 +5717,11 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
         across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
         across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
-        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
+        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
         before_t = v2_t;
         before = v2;
-        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
+        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
         after_t = v3_t;
         after = v3;
         mean_t = bend_t;
@@ -5781,7 +5754,7 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
 }
 
 /* Derivative of ``first_lengths``. */
-static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -5916,9 +5889,9 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
                     }
                     overlap_t = v14_t;
                     overlap = v14;
-                    v15 = overlap * (*cspan_at(&tables, layout__TABLES_RADIUS));
+                    v15 = overlap * (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
                     v16 = sqrt(v15);
-                    derivative_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, strip_lengths__TESTED * derivative_rates__root_rate(v16, overlap_t * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                    derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, strip_lengths__TESTED * derivative_rates__root_rate(v16, overlap_t * (*cspan_at(&tables, pair + layout__PAIR_RADIUS))));
                 }
                 beta_t = low_beta_t;
                 beta = low_beta;
@@ -6061,7 +6034,7 @@ static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d 
 }
 
 /* Derivative of ``lengths_before``. */
-static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     int64_t i_end;
     int64_t i;
@@ -6073,7 +6046,7 @@ static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if (frame__is_yawed(work))
         {
-            derivative_strip_surfaces__measure_ridge_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+            derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         }
     }
     derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));

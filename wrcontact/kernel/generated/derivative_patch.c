@@ -7,36 +7,17 @@
  * Derivatives of filling.py.
  */
 
-/* Derivative of ``clear_totals``. */
-static inline int64_t derivative_filling__clear_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals, double start, double start_t)
-{
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)) = start_t;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = start;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) = start_t;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
-    return INT64_C(0);
-}
-
 /* Derivative of ``clear_patches``. */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side)
 {
+    int64_t i_1;
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
-    derivative_filling__clear_totals_t(work, work_t, side + layout__SIDE_SEARCH_TOTALS, 0.0, 0.0);
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
+    }
     return INT64_C(0);
 }
 
@@ -44,6 +25,7 @@ static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, 
 static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
 {
     int64_t patch;
+    int64_t i_1;
     int64_t index;
     index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     if (index == layout__SOLVED_PATCH_LIMIT)
@@ -53,26 +35,15 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    derivative_filling__clear_totals_t(work, work_t, patch + layout__PATCH_TOTALS, start, start_t);
-    derivative_filling__place_patch_t(work, work_t, patch, region, first, rule, contact_angle, contact_angle_t);
-    return index;
-}
-
-/* Derivative of ``place_patch``. */
-static inline int64_t derivative_filling__place_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
-{
-    int64_t i;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
-    for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_LOADS + i)) = 0.0;
-        (*cspan_at(&work, patch + layout__PATCH_LOADS + i)) = 0.0;
-        (*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + i)) = 0.0;
-        (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i)) = 0.0;
+        (*cspan_at(&work_t, patch + i_1)) = 0.0;
+        (*cspan_at(&work, patch + i_1)) = 0.0;
     }
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
     (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle_t;
     (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work_t, patch + layout__PATCH_RAIL)) = (*cspan_at(&work_t, region + layout__REGION_RAIL));
@@ -91,29 +62,7 @@ static inline int64_t derivative_filling__place_patch_t(array_double_1d work, ar
     (*cspan_at(&work, patch + layout__PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
-    (*cspan_at(&work_t, patch + layout__PATCH_RANK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SATURATION)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
-    return INT64_C(0);
+    return index;
 }
 
 /* Derivative of ``add_load``. */
@@ -194,9 +143,7 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
     int64_t region;
     int64_t following_end;
     int64_t following;
-    int64_t patch;
-    int64_t behind;
-    int64_t i;
+    int64_t i_1;
     beside = index - INT64_C(1);
     if (beside < INT64_C(0))
     {
@@ -223,12 +170,10 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
     following_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (following = index; following < following_end; following += INT64_C(1))
     {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following;
-        behind = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1));
-        for (i = INT64_C(0); i < layout__PATCH_SIZE; i += INT64_C(1))
+        for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, patch + i)) = (*cspan_at(&work_t, behind + i));
-            (*cspan_at(&work, patch + i)) = (*cspan_at(&work, behind + i));
+            (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
         }
     }
     return INT64_C(0);

@@ -8,24 +8,24 @@
  */
 
 /* Derivative of ``place_both``. */
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d left_tables, array_double_1d right_tables, double roll, double roll_t)
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t)
 {
-    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&right_tables, layout__TABLES_RADIUS)), 0.0, (*cspan_at(&right_tables, layout__TABLES_HEIGHT)), 0.0, (*cspan_at(&right_tables, layout__TABLES_ARM)), 0.0);
-    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), 0.0);
+    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), 0.0, (*cspan_at(&tables, layout__TABLES_HEIGHT)), 0.0, (*cspan_at(&tables, layout__TABLES_ARM)), 0.0);
+    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), 0.0);
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
-        derivative_roll__lean_both_t(work, work_t, left_tables, right_tables, roll, roll_t);
+        derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``lean_both``. */
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_double_1d work_t, array_double_1d left_tables, array_double_1d right_tables, double roll, double roll_t)
+static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t)
 {
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&right_tables, layout__TABLES_RAIL_Y)), 0.0, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&left_tables, layout__TABLES_RAIL_Y)), 0.0, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)), -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), 0.0, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)), -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
     return INT64_C(0);
 }

@@ -26,7 +26,7 @@ static inline int64_t derivative_curvature__profile_curvature_t(double* result_0
 }
 
 /* Derivative of ``relative_curvature``. */
-static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t)
+static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double y, double y_t, double abscissa, double abscissa_t)
 {
     double v1;
     double v1_t;
@@ -37,10 +37,10 @@ static inline int64_t derivative_curvature__relative_curvature_t(double* result_
     double rail_t;
     double rail;
     double v3;
-    derivative_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y, y_t);
+    derivative_curvature__profile_curvature_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE))), y, y_t);
     wheel_t = v1_t;
     wheel = v1;
-    derivative_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa, abscissa_t);
+    derivative_curvature__profile_curvature_t(&v2, &v2_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE))), abscissa, abscissa_t);
     rail_t = v2_t;
     rail = v2;
     v3 = wheel + rail;
@@ -144,7 +144,7 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
  */
 
 /* Derivative of ``vertical_gap``. */
-static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
+static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
 {
     double z;
     double z_t;
@@ -168,9 +168,9 @@ static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* r
     double rail_slope_t;
     double rail_bend;
     double rail_bend_t;
-    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
+    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track_t);
     (*mismatch_t) = rail_slope_t - outline_slope_t;
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
@@ -186,7 +186,7 @@ static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* r
 }
 
 /* Derivative of ``gap_per_roll``. */
-static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
+static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
 {
     double z;
     double z_t;
@@ -221,9 +221,9 @@ static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* r
     double lateral;
     double vertical_t;
     double vertical;
-    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t);
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
@@ -672,7 +672,7 @@ static inline int64_t derivative_locus__outline_jet_t(double* y_track, double* y
 }
 
 /* Derivative of ``outline_x``. */
-static inline int64_t derivative_locus__outline_x_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
+static inline int64_t derivative_locus__outline_x_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
 {
     double z;
     double z_t;
@@ -689,7 +689,7 @@ static inline int64_t derivative_locus__outline_x_t(double* result_0, double* re
     double lateral_t;
     double lateral;
     double v3;
-    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;

@@ -109,11 +109,16 @@ static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, a
 static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     bool rubbing;
+    int64_t i_1;
     int64_t index;
     double mirror;
     int64_t side;
     rubbing = requested__has_creep_forces(tables, work);
-    derivative_forces__clear_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES);
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+    }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         mirror = (double)(INT64_C(2) * index - INT64_C(1));
@@ -131,10 +136,15 @@ static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, ar
 /* Derivative of ``sum_side``. */
 static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_double_1d work_t, int64_t side, bool rubbing)
 {
+    int64_t i_1;
     int64_t number_end;
     int64_t number;
     int64_t patch;
-    derivative_forces__clear_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES);
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+    }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
@@ -153,34 +163,37 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces;
-    int64_t i;
+    int64_t i_1;
+    int64_t i_2;
+    int64_t i_3;
+    int64_t i_4;
     forces = patch + layout__PATCH_FORCES;
-    (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(0))) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(0))) = 0.0;
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, forces + i_1)) = 0.0;
+        (*cspan_at(&work, forces + i_1)) = 0.0;
+    }
     (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
     (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i));
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i));
+        (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_2));
     }
     (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) - ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y))));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + layout__FORCES_FORCE + i)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i));
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i));
-        (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + i)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i));
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i));
+        (*cspan_at(&work_t, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        (*cspan_at(&work, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i_3));
     }
-    (*cspan_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work_t, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
+    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+    }
     return INT64_C(0);
 }
 
@@ -334,30 +347,6 @@ static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array
     v12 = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
     (*cspan_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)) = derivative_rates__size_rate(v11, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + derivative_rates__size_rate(v12, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
     (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs(v11) + fabs(v12);
-    return INT64_C(0);
-}
-
-/* Derivative of ``clear_forces``. */
-static inline int64_t derivative_forces__clear_forces_t(array_double_1d work, array_double_1d work_t, int64_t forces)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, forces + layout__FORCES_FORCE + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i)) = 0.0;
-        (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i)) = 0.0;
-        (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i)) = 0.0;
-        (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i)) = 0.0;
-    }
-    (*cspan_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work_t, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
     return INT64_C(0);
 }
 
@@ -577,11 +566,17 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t out, double mirror, double mirror_t)
 {
     int64_t rank;
+    int64_t i_1;
     int64_t number_end;
     int64_t number;
+    int64_t i_2;
     for (rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
     {
-        derivative_report__clear_patch_t(work, work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank);
+        for (i_1 = INT64_C(0); i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+        }
     }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
@@ -589,24 +584,16 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
         rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
         if ((rank == INT64_C(0)) && (number < layout__PATCH_LIMIT))
         {
-            derivative_report__clear_patch_t(work, work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number);
+            for (i_2 = INT64_C(0); i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += INT64_C(1))
+            {
+                (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+                (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+            }
         }
         else if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
         {
             derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), mirror, mirror_t);
         }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``clear_patch``. */
-static inline int64_t derivative_report__clear_patch_t(array_double_1d work, array_double_1d work_t, int64_t out)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < layout__PATCH_OUTPUTS_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, out + i)) = 0.0;
-        (*cspan_at(&work, out + i)) = 0.0;
     }
     return INT64_C(0);
 }
@@ -757,7 +744,7 @@ static inline int64_t derivative_requested__carried_share_t(double* share, doubl
  */
 
 /* Derivative of ``solve_rigid``. */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
     double v2;
     double v2_t;
@@ -774,16 +761,16 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_table
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
-    if (requested__is_requested(right_tables, INT64_C(0)))
+    if (requested__is_requested(tables, INT64_C(0)))
     {
         derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(0));
-        n1 = derivative_side__solve_side_t(left_tables, work, work_t, INT64_C(0), v2, v2_t);
+        n1 = derivative_side__solve_side_t(tables, work, work_t, INT64_C(0), v2, v2_t);
         status = n1;
     }
-    if (requested__is_requested(right_tables, INT64_C(1)))
+    if (requested__is_requested(tables, INT64_C(1)))
     {
         derivative_requested__side_force_t(&v4, &v4_t, work, work_t, INT64_C(1));
-        n3 = derivative_side__solve_side_t(right_tables, work, work_t, INT64_C(1), v4, v4_t);
+        n3 = derivative_side__solve_side_t(tables, work, work_t, INT64_C(1), v4, v4_t);
         outcome = n3;
         status = int64_t_max(2, status, outcome);
     }
@@ -797,20 +784,20 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_table
  */
 
 /* Derivative of ``open_given_motion``. */
-static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__open_motion_t(work, work_t, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0, 0.0);
-    derivative_motion__open_motion_t(work, work_t, right_tables, right, 1.0, 0.0);
-    derivative_motion__open_left_rail_t(work, work_t, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    derivative_motion__open_right_rail_t(work, work_t, right_tables, right + layout__MOTION_RAIL);
+    derivative_motion__open_motion_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0, 0.0);
+    derivative_motion__open_motion_t(work, work_t, tables, right, 1.0, 0.0);
+    derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
+    derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
     return INT64_C(0);
 }
 
 /* Derivative of ``move_patches``. */
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t index;
     int64_t side;
@@ -821,11 +808,11 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_ta
     {
         return INT64_C(0);
     }
-    derivative_rubbing__open_given_motion_t(left_tables, right_tables, work, work_t);
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+    derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
-        derivative_rubbing__constrain_side_t(left_tables, work, work_t, INT64_C(0));
-        derivative_rubbing__constrain_side_t(right_tables, work, work_t, INT64_C(1));
+        derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(0));
+        derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(1));
         derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -836,7 +823,7 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_ta
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+            if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
             {
                 derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
             }
@@ -1061,12 +1048,12 @@ static inline int64_t derivative_rubbing__strip_slip_t(double* slip, double* sli
 }
 
 /* Derivative of ``rub_patches``. */
-static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
-    if (requested__has_creep_forces(right_tables, work))
+    if (requested__has_creep_forces(tables, work))
     {
-        derivative_rubbing__rub_side_t(left_tables, work, work_t, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
-        derivative_rubbing__rub_side_t(right_tables, work, work_t, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
     }
     return INT64_C(0);
 }
@@ -1114,6 +1101,8 @@ static inline int64_t derivative_rubbing__open_rolling_t(double* factor, double*
     double v3_t;
     double v4;
     double v4_t;
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_BARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) = (double)(0);
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = 0.0;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
@@ -1169,6 +1158,7 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
 /* Derivative of ``describe_contact``. */
 static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
 {
+    int64_t pair;
     int64_t place;
     int64_t point;
     double z;
@@ -1205,12 +1195,13 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     double v4;
     double v4_t;
     bool touches;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
-    derivative_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, place, y, y_t, aside, aside_t, shift, shift_t);
+    derivative_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, pair, place, y, y_t, aside, aside_t, shift, shift_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     r_t = z_t;
-    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
+    r = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z;
     v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     v2 = r * cos_phi;
     lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
@@ -1233,12 +1224,12 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = y_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)) = x_track_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)) = y_track_t;
@@ -1254,7 +1245,7 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     }
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    derivative_frame__measure_contact_t(work, work_t, tables);
+    derivative_frame__measure_contact_t(tables, work, work_t, pair);
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
@@ -1262,18 +1253,18 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
         (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4_t;
         (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4;
     }
     touches = 1;
     if (fabs(mismatch) >= side__PARALLEL)
     {
-        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
+        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y))
         {
             touches = 0;
         }
-        if (side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        if (side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
         {
             touches = 0;
         }
@@ -1293,14 +1284,16 @@ static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_
 /* Derivative of ``load_side``. */
 static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
 {
+    int64_t pair;
     int64_t side;
     double penetration;
     double penetration_t;
     bool satisfied;
     int64_t number_end;
     int64_t number;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, side, force, force_t, prescribed, prescribed_t);
+    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = penetration_t;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
     if ((!satisfied) && ((*count) == INT64_C(0)))
@@ -1315,14 +1308,14 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
-        derivative_patch_places__place_patches_t(work, work_t, tables, side);
+        derivative_patch_places__place_patches_t(tables, work, work_t, pair, side);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE)
         {
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
             {
                 derivative_cut__cut_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
-                derivative_patch_places__place_strips_t(work, work_t, tables, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+                derivative_patch_places__place_strips_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
@@ -1387,6 +1380,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 /* Derivative of ``press_side``. */
 static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double approach, double approach_t)
 {
+    int64_t pair;
     int64_t side;
     double height_t;
     double height;
@@ -1396,6 +1390,7 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
     double aside_t;
     double shift;
     double shift_t;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + approach_t;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
@@ -1406,7 +1401,7 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
+    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
     return layout__VALID;
@@ -1415,20 +1410,22 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
 /* Derivative of ``find_points``. */
 static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, double height_t)
 {
+    int64_t pair;
     int64_t kept;
     int64_t n1;
     int64_t n2;
     int64_t count;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
     count = INT64_C(0);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
     {
-        n1 = derivative_deep_points__follow_overlaps_t(work, work_t, tables, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
+        n1 = derivative_deep_points__follow_overlaps_t(tables, work, work_t, pair, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
         count = n1;
     }
     if (count == INT64_C(0))
     {
-        n2 = derivative_overlaps__overlaps_rule_t(work, work_t, tables, side, height, height_t);
+        n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
         count = n2;
     }
     derivative_deep_points__keep_points_t(work, work_t, kept);
@@ -1438,6 +1435,7 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
 /* Derivative of ``side_lever``. */
 static inline int64_t derivative_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count)
 {
+    int64_t pair;
     int64_t at;
     double total_t;
     double total;
@@ -1453,6 +1451,7 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
     double v3;
     double v3_t;
     double v4;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total_t = 0.0;
     total = 0.0;
@@ -1466,11 +1465,11 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
         stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));
         weight_t = weight_t + stiffness_t;
         weight = weight + stiffness;
-        derivative_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+        derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
         total_t = total_t + (stiffness_t * v2 + stiffness * v2_t);
         total = total + stiffness * v2;
     }
-    derivative_gap__gap_per_roll_t(&v3, &v3_t, work, work_t, tables, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     (*lever_t) = v3_t;
     (*lever) = v3;
     if (weight > 0.0)

@@ -14,11 +14,11 @@ static inline int64_t derivative_analyn__load_regions_t(double* total, double* t
 static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed);
 
 /* derivative_analyn_contact.py */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t);
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double estimate, double estimate_t, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double penetration, double penetration_t);
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double estimate, double estimate_t, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* derivative_coefficients.py */
 static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
@@ -76,23 +76,23 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
 
 /* derivative_curvature.py */
 static inline int64_t derivative_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t);
-static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t);
+static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double y, double y_t, double abscissa, double abscissa_t);
 static inline int64_t derivative_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t);
 
 /* derivative_curves.py */
-static inline int64_t derivative_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t);
-static inline int64_t derivative_curves__curve_speed_t(double* speed, double* speed_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t);
-static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t curve, double u, double u_t);
-static inline int64_t derivative_curves__open_curve_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double u, double u_t);
-static inline int64_t derivative_curves__open_origin_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double spacing, double spacing_t);
-static inline int64_t derivative_curves__panel_length_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double low, double low_t, double high, double high_t);
-static inline int64_t derivative_curves__arc_length_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double start, double start_t, double stop, double stop_t);
-static inline int64_t derivative_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t);
-static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t);
-static inline bool derivative_curves__arc_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double length, double length_t);
-static inline bool derivative_curves__chord_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double chord, double chord_t);
-static inline bool derivative_curves__move_to_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t curve, double station, double station_t);
-static inline bool derivative_curves__across_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double lateral, double lateral_t);
+static inline int64_t derivative_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t);
+static inline int64_t derivative_curves__curve_speed_t(double* speed, double* speed_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t);
+static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, int64_t curve, double u, double u_t);
+static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t);
+static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double spacing, double spacing_t);
+static inline int64_t derivative_curves__panel_length_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double low, double low_t, double high, double high_t);
+static inline int64_t derivative_curves__arc_length_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double start, double start_t, double stop, double stop_t);
+static inline int64_t derivative_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double start, double start_t, double stop, double stop_t);
+static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, int64_t pair, double start, double start_t, double length, double length_t);
+static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double length, double length_t);
+static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double chord, double chord_t);
+static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double station, double station_t);
+static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double lateral, double lateral_t);
 
 /* derivative_cut.py */
 static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch);
@@ -102,20 +102,19 @@ static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_do
 static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 
 /* derivative_deep_points.py */
-static inline int64_t derivative_deep_points__copy_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t copy);
 static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept);
-static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point, int64_t following, double height, double height_t);
-static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t kept, int64_t place, double height, double height_t);
+static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, double height_t);
+static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, double height_t);
 
 /* derivative_estimate.py */
 static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 
 /* derivative_fastrip.py */
@@ -133,9 +132,7 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_filling.py */
-static inline int64_t derivative_filling__clear_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals, double start, double start_t);
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
-static inline int64_t derivative_filling__place_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle, double contact_angle_t);
 static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);
@@ -146,7 +143,6 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
 static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
 
 /* derivative_forces.py */
-static inline int64_t derivative_forces__clear_forces_t(array_double_1d work, array_double_1d work_t, int64_t forces);
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double plane, double plane_t, double across, double across_t);
@@ -155,15 +151,13 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
 static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 
 /* derivative_frame.py */
-static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_frame__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
-static inline int64_t derivative_frame__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot);
-static inline int64_t derivative_frame__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
+static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot);
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region);
 static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region);
 
 /* derivative_friction.py */
@@ -175,8 +169,8 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
 static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 
 /* derivative_gap.py */
-static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
-static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
+static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
+static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 
 /* derivative_leaning.py */
 static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_double_1d work_t, double height, double height_t);
@@ -190,7 +184,7 @@ static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, arr
 static inline int64_t derivative_locus__around_wheel_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double slope, double slope_t);
 static inline int64_t derivative_locus__outline_point_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t);
 static inline int64_t derivative_locus__outline_jet_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, double* stretch, double* stretch_t, double* slope_rate, double* slope_rate_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t, double bend, double bend_t);
-static inline int64_t derivative_locus__outline_x_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t);
+static inline int64_t derivative_locus__outline_x_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 
 /* derivative_march.py */
 static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t);
@@ -210,8 +204,8 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
 /* derivative_motion.py */
 static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables);
 static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t);
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t rail);
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t);
 static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t point);
 static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t forces);
@@ -230,23 +224,23 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
 
 /* derivative_nodes.py */
 static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t);
-static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t direction, double station, double station_t);
 static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_double_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double spacing_t, double start_rate, double start_rate_t, double stop_rate, double stop_rate_t);
 static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t);
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t);
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t);
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t);
 static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
 static inline int64_t derivative_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t);
 static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t);
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double enlarge, double enlarge_t);
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double enlarge, double enlarge_t);
 
 /* derivative_normal_contact.py */
-static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* derivative_outline.py */
 static inline int64_t derivative_outline__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t);
@@ -258,17 +252,16 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
 static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count);
 
 /* derivative_overlaps.py */
-static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t);
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double height, double height_t);
+static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t);
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double height, double height_t);
 
 /* derivative_patch_places.py */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
-static inline int64_t derivative_patch_places__open_place_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double away, double away_t);
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t patch, int64_t number);
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t);
+static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double away, double away_t);
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number);
 static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side);
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side);
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t patch);
 
 /* derivative_polach.py */
 static inline int64_t derivative_polach__mean_coefficient_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double first, double first_t, double second, double second_t, double slip, double slip_t);
@@ -280,22 +273,21 @@ static inline int64_t derivative_polach__largest_shear_t(double* v6, double* res
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_pressed.py */
-static inline int64_t derivative_pressed__meet_wheel_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, double* result_10, double* result_11, double* result_12, double* result_13, bool* result_14_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_pressed__meet_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* z, double* z_t, double* slope, double* slope_t, double* bend, double* bend_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double y, double y_t, double bend, double bend_t);
-static inline int64_t derivative_pressed__normal_line_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* rate, double* rate_t, double* curvature, double* curvature_t, bool* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
+static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double y, double y_t, double bend, double bend_t);
+static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t);
 static inline int64_t derivative_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t);
-static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, double* result_5, bool* result_6, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t);
+static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t);
 
 /* derivative_pressed_regions.py */
-static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t point);
+static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point);
 static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t);
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double penetration, double penetration_t);
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double penetration, double penetration_t);
 static inline int64_t derivative_pressed_regions__sink_deeper_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
-static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
-static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t point);
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 
 /* derivative_quadrature.py */
 static inline int64_t derivative_quadrature__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t);
@@ -324,7 +316,6 @@ static inline double derivative_rates__power_rate(double power, double base, dou
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_double_1d work_t, int64_t out, int64_t vector, double plane, double plane_t, double across, double across_t);
 static inline int64_t derivative_report__report_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t out, double mirror, double mirror_t);
 static inline int64_t derivative_report__report_load_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t out, double mirror, double mirror_t);
-static inline int64_t derivative_report__clear_patch_t(array_double_1d work, array_double_1d work_t, int64_t out);
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t out, double mirror, double mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t out, double mirror, double mirror_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
@@ -336,18 +327,18 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, doubl
 static inline int64_t derivative_requested__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index);
 
 /* derivative_rigid.py */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
 
 /* derivative_roll.py */
 static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_double_1d work_t, int64_t place);
 static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t);
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_double_1d work_t, array_double_1d left_tables, array_double_1d right_tables, double roll, double roll_t);
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d left_tables, array_double_1d right_tables, double roll, double roll_t);
+static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t);
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t);
 
 /* derivative_rubbing.py */
-static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_rubbing__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip);
 static inline int64_t derivative_rubbing__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
@@ -355,14 +346,14 @@ static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, arr
 static inline int64_t derivative_rubbing__open_rolling_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, double friction, double friction_t);
 static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t);
 static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double friction, double friction_t);
-static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 
 /* derivative_separation.py */
-static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
-static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t);
-static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, int64_t kind);
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t);
+static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t);
+static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, int64_t kind);
+static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t);
 
 /* derivative_side.py */
 static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t);
@@ -388,15 +379,15 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t);
 
 /* derivative_strip_contact.py */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t zone, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, int64_t wanted);
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t);
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t);
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, int64_t wanted);
 static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 
 /* derivative_strip_layout.py */
 static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count);
@@ -459,17 +450,17 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
 static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed);
 
 /* derivative_strip_surfaces.py */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t strip);
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t strip);
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
 static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count);
 static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, double y, double y_t);
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, int64_t strip, double away, double away_t);
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t);
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, double away_t);
 static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t);
 static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, double* slant_t, array_double_1d work, array_double_1d work_t, int64_t index);
 static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d work, array_double_1d work_t, int64_t strip, double depth, double depth_t, double one_alpha, double one_alpha_t, double one_beta, double one_beta_t);
-static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
-static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
+static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
+static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t);
 
 /* derivative_tables.py */
@@ -483,9 +474,9 @@ static inline int64_t derivative_tables__height_slope_bend_t(double* result_0, d
 static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_double_1d work_t, double station, double station_t, double abscissa, double abscissa_t, double y, double y_t);
 static inline int64_t derivative_traces__first_abscissa_t(double* u, double* u_t, array_double_1d work, array_double_1d work_t, int64_t trace, double away, double away_t);
 static inline int64_t derivative_traces__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* result_6, double* result_7, double* result_8, double* result_9, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double station_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_traces__trace_rail_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_traces__trace_outline_t(double* ordinate, double* ordinate_t, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_traces__trace_rail_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_traces__trace_outline_t(double* ordinate, double* ordinate_t, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t);
 
 /* derivative_tractions.py */
 static inline int64_t derivative_tractions__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t);
@@ -503,25 +494,25 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
 
 /* derivative_wheelset_rules.py */
 static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t);
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
+static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
 static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
-static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
-static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
+static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t);
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_double_1d work_t);
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d work_t);
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t);
 
 /* derivative_widths.py */
 static inline int64_t derivative_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t);
 static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t);
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
+static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
 static inline int64_t derivative_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double local_penetration, double local_penetration_t);
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double local_penetration, double local_penetration_t);
 
 #endif

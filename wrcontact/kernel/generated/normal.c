@@ -14,11 +14,11 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed);
 
 /* normal/analyn_contact.py */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration);
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration);
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
 /* normal/coefficients.py */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
@@ -35,8 +35,8 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
 
 /* normal/estimate.py */
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force);
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force);
+static inline double estimate__estimate_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force);
+static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
 /* normal/node_patches.py */
@@ -53,45 +53,44 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
 static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
-static inline double nodes__turn_cosine(array_double_1d work, array_double_1d tables);
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at);
+static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach);
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline double nodes__zone_share(array_double_1d tables, double A, double side);
 static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t nodes__prepare_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double enlarge);
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
+static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
 /* normal/patch_places.py */
-static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration);
-static inline int64_t patch_places__open_place(array_double_1d work, int64_t patch);
-static inline double patch_places__abscissa_at(array_double_1d work, array_double_1d tables, int64_t region, double away);
-static inline int64_t patch_places__place_load(array_double_1d work, array_double_1d tables, int64_t region, int64_t patch, int64_t number);
+static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration);
+static inline double patch_places__abscissa_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double away);
+static inline int64_t patch_places__place_load(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t patch, int64_t number);
 static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch);
-static inline int64_t patch_places__place_patches(array_double_1d work, array_double_1d tables, int64_t side);
-static inline int64_t patch_places__place_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t patch_places__place_patches(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch);
 
 /* normal/strip_contact.py */
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest);
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted);
+static inline int64_t strip_contact__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_contact__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest);
+static inline int64_t strip_contact__lay_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, int64_t wanted);
 static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration);
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables);
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed);
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force);
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration);
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 
 /* normal/strip_layout.py */
 static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count);
@@ -157,17 +156,17 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
 static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
 
 /* normal/strip_surfaces.py */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip);
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count);
+static inline int64_t strip_surfaces__trace_strip(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t strip);
+static inline int64_t strip_surfaces__trace_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count);
 static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables);
-static inline double strip_surfaces__profile_within(array_double_1d tables, double y);
-static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_double_1d tables, int64_t place, int64_t strip, double away);
+static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t strip, double away);
 static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
 static inline double strip_surfaces__ridge_slant(array_double_1d work, int64_t index);
 static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t strip, double depth, double one_alpha, double one_beta);
-static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count);
-static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables);
+static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
+static inline int64_t strip_surfaces__lengths_before(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_surfaces__set_gaps(array_double_1d work);
 
 
@@ -569,12 +568,12 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 /* Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
  */
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
-    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, side, force, prescribed);
+    analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        frame__locate_along_track(work, tables, (*count));
+        frame__locate_along_track(tables, work, pair, (*count));
         node_patches__fill_from_nodes(work, side, (*count));
     }
     return 0;
@@ -584,7 +583,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
  * is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
  * stands.
  */
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t repeat;
@@ -597,26 +596,26 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
-        (*penetration) = estimate__first_penetration(work, tables, force);
+        (*penetration) = estimate__first_penetration(tables, work, pair, force);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
+        if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == INT64_C(0))
         {
             /* it overlaps most at the end of a profile */
             (*count) = INT64_C(0);
             (*satisfied) = 0;
             return 0;
         }
-        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, estimate, force, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, estimate, force, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -628,16 +627,16 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double estimate, double force, bool by_penetration)
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(work, tables, estimate);
-    analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
+    (*count) = analyn_contact__gather_regions(tables, work, pair, estimate);
+    analyn_contact__solve_fine(penetration, satisfied, tables, work, pair, (*count), force, estimate, by_penetration);
     if ((!(*satisfied)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        (*count) = analyn_contact__gather_regions(work, tables, estimate);
-        analyn_contact__solve_fine(penetration, satisfied, work, tables, (*count), force, estimate, by_penetration);
+        (*count) = analyn_contact__gather_regions(tables, work, pair, estimate);
+        analyn_contact__solve_fine(penetration, satisfied, tables, work, pair, (*count), force, estimate, by_penetration);
     }
     return 0;
 }
@@ -645,7 +644,7 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
  * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration)
 {
     int64_t i;
     int64_t count;
@@ -654,7 +653,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
-    count = pressed_regions__gather_overlaps(work, tables);
+    count = pressed_regions__gather_overlaps(tables, work, pair);
     estimate__start_penetrations(work, count, penetration);
     return count;
 }
@@ -662,7 +661,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d work, array
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool by_penetration)
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration)
 {
     double start;
     double enlarge;
@@ -673,7 +672,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        nodes__prepare_regions(work, tables, count, enlarge);
+        nodes__prepare_regions(tables, work, pair, count, enlarge);
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
@@ -1030,7 +1029,7 @@ static inline double estimate__guess_penetration(double force, double A, double 
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
-static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, double force)
+static inline double estimate__estimate_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
     double A;
     double guess;
@@ -1042,7 +1041,7 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
     double stiffness;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    widths__measure_widths(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
+    widths__measure_widths(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
     width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
@@ -1059,12 +1058,12 @@ static inline double estimate__estimate_penetration(array_double_1d work, array_
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
-static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, double force)
+static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
     double result;
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    result = estimate__estimate_penetration(work, tables, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    result = estimate__estimate_penetration(tables, work, pair, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
@@ -1425,7 +1424,7 @@ static inline double nodes__trace_tolerance(double spacing)
  * Where the lateral curvature is a prepared one, it is kept in nodes.B for
  * :func:`node_coefficients.weigh_nodes`.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double low_reach, double high_reach)
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
     double gap;
     double rate;
@@ -1434,29 +1433,29 @@ static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tab
     int64_t before;
     int64_t after;
     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    curves__open_origin(work, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    curves__open_origin(tables, work, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(work, tables);
+    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(tables, work, pair);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
-    before = nodes__lay_side_nodes(work, tables, region, nodes, -INT64_C(1), low_reach, rate);
+    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    after = nodes__lay_side_nodes(work, tables, region, nodes, INT64_C(1), high_reach, rate);
+    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, INT64_C(1), high_reach, rate);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
 
 /* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
-static inline double nodes__turn_cosine(array_double_1d work, array_double_1d tables)
+static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     double height;
     double slope;
     double result;
-    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     result = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) / sqrt(1.0 + slope * slope);
     return result;
 }
@@ -1487,21 +1486,21 @@ static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, 
 /* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
  * [-].
  */
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
     double station;
     double bend;
     double curvature;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
-    separation__separation(gap, rate, &bend, &curvature, work, tables, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(gap, rate, &bend, &curvature, tables, work, pair, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     if ((*gap) < frame__NO_GAP)
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = nodes__turn_cosine(work, tables);
+        (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = nodes__turn_cosine(tables, work, pair);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = curvature__relative_curvature(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         }
     }
     return 0;
@@ -1513,7 +1512,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
  * slope there.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
     int64_t stride;
     int64_t window;
@@ -1541,13 +1540,13 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1
     {
         if ((k == traced) && (!ended))
         {
-            nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
+            nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
                 traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                nodes__trace_node(&gap, &next_rate, work, tables, region, nodes, direction * (traced + step));
+                nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
@@ -1730,7 +1729,7 @@ static inline double nodes__node_spacing(array_double_1d work, array_double_1d t
 }
 
 /* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
-static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_1d tables, int64_t count, double enlarge)
+static inline int64_t nodes__prepare_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double enlarge)
 {
     int64_t i;
     int64_t region;
@@ -1738,9 +1737,9 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         frame__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(work, tables, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        widths__measure_widths(tables, work, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = nodes__node_spacing(work, tables, region, enlarge);
-        nodes__prepare_nodes(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
+        nodes__prepare_nodes(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
         frame__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
@@ -1749,7 +1748,7 @@ static inline int64_t nodes__prepare_regions(array_double_1d work, array_double_
 /* Nodes and coefficients of a region whose frame is open, up to its local
  * penetration times ``enlarge``.
  */
-static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double enlarge)
+static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double enlarge)
 {
     bool yawed;
     double reach;
@@ -1765,12 +1764,12 @@ static inline int64_t nodes__prepare_nodes(array_double_1d work, array_double_1d
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    nodes__lay_nodes(work, tables, region, nodes, low_reach, high_reach);
+    nodes__lay_nodes(tables, work, pair, region, nodes, low_reach, high_reach);
     nodes__bring_nearer(work, region, nodes);
     coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        patch_places__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        patch_places__mean_normal(tables, work, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
     }
     (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     return INT64_C(0);
@@ -1832,7 +1831,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
  */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     int64_t point;
     int64_t table;
@@ -1847,7 +1846,7 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
     double half_width;
     int64_t patch;
     double pressure;
-    frame__locate_along_track(work, tables, INT64_C(1));
+    frame__locate_along_track(tables, work, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
@@ -1887,25 +1886,25 @@ static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t
  *
  * Returns the penetration [m], the number of regions, and whether the force is satisfied.
  */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        normal_contact__hertz_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
+        normal_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
+        analyn_contact__analyn_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     }
     else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
     {
-        strip_contact__coarse_contact(penetration, count, satisfied, work, tables, force);
+        strip_contact__coarse_contact(penetration, count, satisfied, tables, work, pair, force);
     }
     else
     {
-        strip_contact__strip_contact(penetration, count, satisfied, work, tables, side, force, prescribed);
+        strip_contact__strip_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     }
     return 0;
 }
@@ -1933,7 +1932,7 @@ static inline bool normal_contact__has_coarse_form(array_double_1d tables)
  *
  * The nodes lie along the rail.
  */
-static inline int64_t patch_places__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
+static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration)
 {
     double arc;
     double total;
@@ -1948,7 +1947,7 @@ static inline int64_t patch_places__mean_normal(array_double_1d work, array_doub
     double slope;
     double cosine;
     double weight;
-    arc = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
+    arc = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
@@ -1963,7 +1962,7 @@ static inline int64_t patch_places__mean_normal(array_double_1d work, array_doub
         }
         for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
         {
-            tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+            tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
             cosine = 1.0 / sqrt(1.0 + slope * slope);
             weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
             if (weight <= 0.0)
@@ -1977,7 +1976,7 @@ static inline int64_t patch_places__mean_normal(array_double_1d work, array_doub
             total += weight;
             cosines += weight * cosine;
             sines += weight * slope * cosine;
-            x = tables__read_cubic(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
+            x = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
         }
     }
     if (total > 0.0)
@@ -1993,7 +1992,7 @@ static inline int64_t patch_places__mean_normal(array_double_1d work, array_doub
 }
 
 /* Centres of load, normal forces and penetrations of the patches of a side whose regions are solved. */
-static inline int64_t patch_places__place_patches(array_double_1d work, array_double_1d tables, int64_t side)
+static inline int64_t patch_places__place_patches(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
     int64_t index_end;
     int64_t index;
@@ -2005,7 +2004,6 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        patch_places__open_place(work, patch);
         for (number = INT64_C(0); number < layout__REGION_LIMIT; number += INT64_C(1))
         {
             if ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) != 0.0)
@@ -2013,7 +2011,7 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
                 (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PENETRATION)), local);
-                patch_places__place_load(work, tables, region, patch, number);
+                patch_places__place_load(tables, work, pair, region, patch, number);
             }
         }
         patch_places__close_place(work, patch);
@@ -2021,28 +2019,10 @@ static inline int64_t patch_places__place_patches(array_double_1d work, array_do
     return INT64_C(0);
 }
 
-/* No load, no force and no penetration yet. */
-static inline int64_t patch_places__open_place(array_double_1d work, int64_t patch)
-{
-    int64_t i;
-    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) = 0.0;
-    }
-    return INT64_C(0);
-}
-
 /* The load of a patch in a region, which is its ``number``: its force, its moment about the track's
  * origin, and its place [m], weighted by the load until :func:`close_place`.
  */
-static inline int64_t patch_places__place_load(array_double_1d work, array_double_1d tables, int64_t region, int64_t patch, int64_t number)
+static inline int64_t patch_places__place_load(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
     double load;
     double away;
@@ -2067,8 +2047,8 @@ static inline int64_t patch_places__place_load(array_double_1d work, array_doubl
     {
         away = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + number)) / load - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
     }
-    abscissa = patch_places__abscissa_at(work, tables, region, away);
-    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+    abscissa = patch_places__abscissa_at(tables, work, pair, region, away);
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
     normal_cos = 1.0 / sqrt(1.0 + slope * slope);
     normal_sin = slope * normal_cos;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
@@ -2077,7 +2057,7 @@ static inline int64_t patch_places__place_load(array_double_1d work, array_doubl
         normal_sin = (*cspan_at(&work, region + layout__REGION_SIN));
     }
     x = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
-    rails__on_track(&y, &z, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, layout__TABLES_RAIL_Y)), (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, height);
+    rails__on_track(&y, &z, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, height);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
     {
         down = normal_cos;
@@ -2091,25 +2071,25 @@ static inline int64_t patch_places__place_load(array_double_1d work, array_doubl
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) += y * force_z - z * force_y;
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) -= x * force_z;
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) += x * force_y;
-    tables__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    tables__height_slope(&wheel_height, &wheel_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + away / sqrt(1.0 + wheel_slope * wheel_slope));
+    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + away / sqrt(1.0 + wheel_slope * wheel_slope));
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) += load * x;
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) += load * y;
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) += load * z;
-    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) += load * ((*cspan_at(&tables, layout__TABLES_RADIUS)) + wheel_height);
+    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) += load * ((*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + wheel_height);
     return INT64_C(0);
 }
 
 /* The rail's abscissa [m] at stations ``away`` from a region's smallest gap [m]: stations of a wheel that
  * just touches are those of its contact plane, all others run along the rail.
  */
-static inline double patch_places__abscissa_at(array_double_1d work, array_double_1d tables, int64_t region, double away)
+static inline double patch_places__abscissa_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double away)
 {
     double abscissa;
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        abscissa = curves__rail_abscissa(tables, (*cspan_at(&work, region + layout__REGION_RAIL)), away);
+        abscissa = curves__rail_abscissa(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), away);
     }
     return abscissa;
 }
@@ -2133,7 +2113,7 @@ static inline int64_t patch_places__close_place(array_double_1d work, int64_t pa
 /* Where the strips of a patch are in the track, and the wheel's rolling radius there.  Wheel and rail lie
  * on each other: from the point of the patch's first region on, both abscissae run alike.
  */
-static inline int64_t patch_places__place_strips(array_double_1d work, array_double_1d tables, int64_t patch)
+static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch)
 {
     int64_t number;
     int64_t region;
@@ -2155,13 +2135,13 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        abscissa = patch_places__abscissa_at(work, tables, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-        tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-        rails__on_track(&y, &z, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa, height);
+        abscissa = patch_places__abscissa_at(tables, work, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
+        tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
+        rails__on_track(&y, &z, work, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, height);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, layout__TABLES_RADIUS)) + height;
+        tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
     }
     return INT64_C(0);
 }
@@ -2188,7 +2168,7 @@ static inline int64_t patch_places__place_strips(array_double_1d work, array_dou
  */
 
 /* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
-static inline int64_t strip_contact__find_zones(array_double_1d work, array_double_1d tables, int64_t count, double deepest)
+static inline int64_t strip_contact__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest)
 {
     int64_t index;
     int64_t region;
@@ -2196,14 +2176,14 @@ static inline int64_t strip_contact__find_zones(array_double_1d work, array_doub
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         frame__enter_plane(work, region, index);
-        strip_contact__measure_zone(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
+        strip_contact__measure_zone(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
         frame__leave_plane(work, region);
     }
     return INT64_C(0);
 }
 
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
-static inline int64_t strip_contact__measure_zone(array_double_1d work, array_double_1d tables, int64_t region, int64_t zone, double deepest)
+static inline int64_t strip_contact__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
 {
     double depth;
     double shallow;
@@ -2224,8 +2204,8 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
         bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
         estimate = sqrt(2.0 * level / bend);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        high = widths__zone_width(work, tables, region, 1.0, level, estimate);
-        low = widths__zone_width(work, tables, region, -1.0, level, high);
+        high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
+        low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
     }
@@ -2233,10 +2213,10 @@ static inline int64_t strip_contact__measure_zone(array_double_1d work, array_do
 }
 
 /* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
-static inline int64_t strip_contact__lay_strips(array_double_1d work, array_double_1d tables, int64_t count, int64_t wanted)
+static inline int64_t strip_contact__lay_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, int64_t wanted)
 {
     strip_layout__divide_cells(work, count, wanted);
-    strip_surfaces__trace_strips(work, tables, count);
+    strip_surfaces__trace_strips(tables, work, pair, count);
     strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     strip_surfaces__incline_strips(work, tables);
     return INT64_C(0);
@@ -2245,14 +2225,14 @@ static inline int64_t strip_contact__lay_strips(array_double_1d work, array_doub
 /* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
  * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
  */
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
     int64_t sweep;
     strip_layout__zone_cells(work, count);
-    strip_contact__lay_strips(work, tables, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    strip_surfaces__first_lengths(work, tables, count);
+    strip_contact__lay_strips(tables, work, pair, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
+    strip_surfaces__first_lengths(tables, work, pair, count);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
@@ -2279,7 +2259,7 @@ static inline int64_t strip_contact__first_layout(double* result_0, bool* result
  * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
  * alone.
  */
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, int64_t count, double force, bool by_penetration)
+static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration)
 {
     double penetration;
     bool found;
@@ -2287,8 +2267,8 @@ static inline int64_t strip_contact__second_layout(double* result_0, bool* resul
     int64_t sweep;
     bool last;
     bool given;
-    strip_contact__lay_strips(work, tables, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    strip_surfaces__lengths_before(work, tables);
+    strip_contact__lay_strips(tables, work, pair, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
+    strip_surfaces__lengths_before(tables, work, pair);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
@@ -2336,7 +2316,7 @@ static inline int64_t strip_contact__solve_strips(double* result_0, bool* result
  * A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
  * have found there.
  */
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d work, array_double_1d tables, int64_t side, double force, double prescribed)
+static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
     int64_t count;
@@ -2348,15 +2328,15 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         /* where it is, it has its penetration */
-        count = strip_contact__open_zones(work, tables);
-        strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, 1);
+        count = strip_contact__open_zones(tables, work, pair);
+        strip_contact__first_layout(&penetration, &satisfied, tables, work, pair, count, force, 1);
     }
     else
     {
         estimate = prescribed;
         if (!by_penetration)
         {
-            estimate = estimate__first_penetration(work, tables, force);
+            estimate = estimate__first_penetration(tables, work, pair, force);
         }
         penetration = estimate;
         count = INT64_C(0);
@@ -2364,7 +2344,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
             estimate = penetration;
-            if (pressed_regions__sink_wheel(work, tables, side, estimate) == INT64_C(0))
+            if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == INT64_C(0))
             {
                 /* it overlaps most at the end of a profile */
                 (*result_0_0001) = estimate;
@@ -2372,8 +2352,8 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 (*result_2) = 0;
                 return 0;
             }
-            count = strip_contact__open_zones(work, tables);
-            strip_contact__first_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
+            count = strip_contact__open_zones(tables, work, pair);
+            strip_contact__first_layout(&penetration, &satisfied, tables, work, pair, count, force, by_penetration);
             if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
             {
                 break;
@@ -2387,7 +2367,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied)
     {
-        strip_contact__second_layout(&penetration, &satisfied, work, tables, count, force, by_penetration);
+        strip_contact__second_layout(&penetration, &satisfied, tables, work, pair, count, force, by_penetration);
     }
     if (satisfied)
     {
@@ -2395,7 +2375,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     }
     if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
     {
-        frame__locate_along_track(work, tables, count);
+        frame__locate_along_track(tables, work, pair, count);
         strip_patches__fill_from_strips(work, tables, side, count);
     }
     (*result_0_0001) = penetration;
@@ -2407,10 +2387,10 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first layout alone
  * and without patches: about a per cent off.
  */
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d work, array_double_1d tables, double force)
+static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    (*count) = strip_contact__open_zones(work, tables);
-    strip_contact__first_layout(penetration, satisfied, work, tables, (*count), force, 0);
+    (*count) = strip_contact__open_zones(tables, work, pair);
+    strip_contact__first_layout(penetration, satisfied, tables, work, pair, (*count), force, 0);
     if ((*satisfied))
     {
         strip_patches__add_stiffness(work, tables, (*count));
@@ -2419,14 +2399,14 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 }
 
 /* Open the regions where the wheel overlaps its rail, and their zones; how many. */
-static inline int64_t strip_contact__open_zones(array_double_1d work, array_double_1d tables)
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    count = pressed_regions__gather_overlaps(work, tables);
+    count = pressed_regions__gather_overlaps(tables, work, pair);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_contact__find_zones(work, tables, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_contact__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -3881,7 +3861,7 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
  */
 
 /* Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions. */
-static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_double_1d tables, int64_t count)
+static inline int64_t strip_surfaces__trace_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -3904,10 +3884,10 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
                 if (!started)
                 {
                     traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                    curves__open_origin(work, tables, region, 0.0);
+                    curves__open_origin(tables, work, pair, region, 0.0);
                     started = 1;
                 }
-                strip_surfaces__trace_strip(work, tables, region, strip);
+                strip_surfaces__trace_strip(tables, work, pair, region, strip);
             }
         }
         frame__leave_plane(work, region);
@@ -3916,7 +3896,7 @@ static inline int64_t strip_surfaces__trace_strips(array_double_1d work, array_d
 }
 
 /* The surfaces at a strip of ``region``, whose frame is open. */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_double_1d tables, int64_t region, int64_t strip)
+static inline int64_t strip_surfaces__trace_strip(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t strip)
 {
     double gap;
     double rate;
@@ -3924,7 +3904,7 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
     double curvature;
     double height;
     double slope;
-    separation__separation(&gap, &rate, &bend, &curvature, work, tables, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
     (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
     if (gap < frame__NO_GAP)
@@ -3932,7 +3912,7 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
         (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
         (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    tables__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
     (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
     (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
@@ -3941,7 +3921,7 @@ static inline int64_t strip_surfaces__trace_strip(array_double_1d work, array_do
     (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        (*cspan_at(&work, strip + layout__STRIP_X)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
+        (*cspan_at(&work, strip + layout__STRIP_X)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
     }
     return INT64_C(0);
 }
@@ -4026,12 +4006,12 @@ static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array
 }
 
 /* Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond. */
-static inline double strip_surfaces__profile_within(array_double_1d tables, double y)
+static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y)
 {
     int64_t wheel;
     double slope;
     double z;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     tables__height_slope(&z, &slope, tables, wheel, y);
     return z;
@@ -4042,7 +4022,7 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, doub
  *
  * Along x a yawed wheel shows other parts of its profile, to either side of the ridge's.
  */
-static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_double_1d tables, int64_t place, int64_t strip, double away)
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t strip, double away)
 {
     double across;
     double z;
@@ -4056,9 +4036,9 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         across = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
-        before = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
-        after = strip_surfaces__profile_within(tables, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
+        tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
+        before = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
+        after = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
         mean = bend;
         square = across * across;
         if (square > 0.0)
@@ -4075,7 +4055,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d work, array_
 /* Half-lengths of the strips, which lie in ``count`` regions, from how wide their zones are:
  * those of Hertz's ellipse for gap and curvature at each strip.
  */
-static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_double_1d tables, int64_t count)
+static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -4132,7 +4112,7 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d work, array_
                 if (frame__is_yawed(work))
                 {
                     overlap = double_max(2, (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
-                    strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, layout__TABLES_RADIUS))));
+                    strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, pair + layout__PAIR_RADIUS))));
                 }
                 beta = low_beta;
                 if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
@@ -4212,7 +4192,7 @@ static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t
 }
 
 /* Half-lengths and leads of the strips from the layout before. */
-static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array_double_1d tables)
+static inline int64_t strip_surfaces__lengths_before(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t i_end;
     int64_t i;
@@ -4224,7 +4204,7 @@ static inline int64_t strip_surfaces__lengths_before(array_double_1d work, array
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if (frame__is_yawed(work))
         {
-            strip_surfaces__measure_ridge(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
         }
     }
     strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));

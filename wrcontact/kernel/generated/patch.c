@@ -2,9 +2,7 @@
 #include "constants.h"
 
 /* patch/filling.py */
-static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start);
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side);
-static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle);
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule, double contact_angle);
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
@@ -43,26 +41,15 @@ static inline double quadrature__root_integral(double before, double low, double
  * totals and ranks.
  */
 
-/* Totals of nothing, at station ``start`` [m]. */
-static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start)
-{
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = start;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
-    return INT64_C(0);
-}
-
 /* No patches. */
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
 {
+    int64_t i_1;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
-    filling__clear_totals(work, side + layout__SIDE_SEARCH_TOTALS, 0.0);
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
+    }
     return INT64_C(0);
 }
 
@@ -74,6 +61,7 @@ static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule, double contact_angle)
 {
     int64_t patch;
+    int64_t i_1;
     int64_t index;
     index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     if (index == layout__SOLVED_PATCH_LIMIT)
@@ -82,24 +70,12 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     }
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    filling__clear_totals(work, patch + layout__PATCH_TOTALS, start);
-    filling__place_patch(work, patch, region, first, rule, contact_angle);
-    return index;
-}
-
-/* Give a patch the point of its region; it has no load, no rank, no strips behind ``first``
- * and no motion yet.
- */
-static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle)
-{
-    int64_t i;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
-    for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work, patch + layout__PATCH_LOADS + i)) = 0.0;
-        (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i)) = 0.0;
+        (*cspan_at(&work, patch + i_1)) = 0.0;
     }
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
     (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
     (*cspan_at(&work, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
@@ -109,18 +85,7 @@ static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, patch + layout__PATCH_RULE)) = (double)(rule);
     (*cspan_at(&work, patch + layout__PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
-    (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
-    return INT64_C(0);
+    return index;
 }
 
 /* Add load [N] and moment [N m] in a region to a patch. */
@@ -190,9 +155,7 @@ static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, 
     int64_t region;
     int64_t following_end;
     int64_t following;
-    int64_t patch;
-    int64_t behind;
-    int64_t i;
+    int64_t i_1;
     beside = index - INT64_C(1);
     if (beside < INT64_C(0))
     {
@@ -213,11 +176,9 @@ static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, 
     following_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (following = index; following < following_end; following += INT64_C(1))
     {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following;
-        behind = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1));
-        for (i = INT64_C(0); i < layout__PATCH_SIZE; i += INT64_C(1))
+        for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work, patch + i)) = (*cspan_at(&work, behind + i));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
         }
     }
     return INT64_C(0);

@@ -37,11 +37,11 @@ static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_
 static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high);
 static inline int64_t prepare_scan__coarse_count(double start, double stop);
 static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i);
-static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts);
-static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t scan, int64_t count, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t scan, int64_t count);
-static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts);
+static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t pair, int64_t scan, int64_t count, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t pair, int64_t scan, int64_t count);
+static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_double_1d tables, int64_t pair, int64_t at, array_double_1d work);
 
 /* prepare/tables.py */
 static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index);
@@ -52,15 +52,21 @@ static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int6
 static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
 static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
-static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report);
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
-static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report);
+static inline int64_t prepare_tables__write_wheel(array_double_1d setup, array_double_1d tables, int64_t pair, double radius, int64_t at, array_double_1d definition, array_double_1d work);
+static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_double_1d tables, int64_t pair, double inclination, int64_t at, array_double_1d definition, array_double_1d work);
+static inline int64_t prepare_tables__write_common(array_double_1d setup, array_double_1d tables, array_double_1d fixed);
+static inline int64_t prepare_tables__write_right(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work);
+static inline int64_t prepare_tables__write_left(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work, bool equal_wheels, bool equal_rails);
+static inline bool prepare_tables__same_numbers(array_double_1d one, array_double_1d other);
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel, array_double_1d rail, array_double_1d left_wheel, array_double_1d left_rail, array_double_1d fixed, array_double_1d tables, array_double_1d work);
+static inline bool prepare_tables__equal_sides(array_double_1d tables);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
 static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);
-static inline int64_t prepare_tables__open_starts(array_double_1d tables, bool equal);
+static inline int64_t prepare_tables__open_starts(array_double_1d tables);
 
 /* prepare/zones.py */
 static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
@@ -1051,7 +1057,7 @@ static inline double prepare_scan__raster_place(double start, double stop, int64
  * half as much where it is not nearly straight; the number of the first node in each coarse step goes to
  * ``work`` at ``firsts``. How many nodes, or TOO_WIDE or FULL.
  */
-static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts)
+static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts)
 {
     int64_t wheel;
     double start;
@@ -1064,7 +1070,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     double least;
     double most;
     double steepest;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
     stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     count = prepare_scan__coarse_count(start, stop);
@@ -1102,7 +1108,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
  * Stretches that are steeper than the search's bounds allow get a second derivative with
  * which they are not skipped.
  */
-static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t scan, int64_t count, array_double_1d work, int64_t scratch)
+static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t pair, int64_t scan, int64_t count, array_double_1d work, int64_t scratch)
 {
     int64_t wheel;
     int64_t i;
@@ -1116,7 +1122,7 @@ static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, i
     double least;
     double most;
     double steepest;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
@@ -1148,7 +1154,7 @@ static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, i
 /* The largest lever of each node and all beyond it: by how much the gap there would change with the roll
  * of a wheelset at zero roll, if wheel and rail were parallel there.
  */
-static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t scan, int64_t count)
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t pair, int64_t scan, int64_t count)
 {
     double largest;
     int64_t i;
@@ -1170,8 +1176,8 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
         for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE; k += INT64_C(1))
         {
             y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
-            tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__TABLES_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
+            tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
         }
         (*cspan_at(&tables, node + layout__SCAN_NODE_LEVER)) = largest;
     }
@@ -1183,7 +1189,7 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
  * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
  * wheel, stretched by WIDEST.
  */
-static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch)
+static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch)
 {
     int64_t rail;
     int64_t i_end;
@@ -1196,12 +1202,12 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
     double cells;
     int64_t exponent;
     double length;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         cell = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * i;
-        edge = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
+        edge = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
         prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FINE_STEP, edge + prepare_scan__FINE_STEP + 1.5 * prepare_scan__COARSE_STEP);
         (*cspan_at(&tables, cell + layout__RAIL_CELL_LEAST_BEND)) = least;
         (*cspan_at(&tables, cell + layout__RAIL_CELL_MOST_BEND)) = most;
@@ -1217,11 +1223,12 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
     return INT64_C(0);
 }
 
-/* The raster over wheel and rail, where the settings say that it begins; the offset after
- * it, or TOO_WIDE or FULL.
+/* The raster over wheel and rail at ``at``, and where the pair finds it; the offset after it, or
+ * TOO_WIDE or FULL.
  */
-static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch)
+static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_double_1d tables, int64_t pair, int64_t at, array_double_1d work)
 {
+    int64_t scratch;
     int64_t scan;
     int64_t wheel;
     int64_t rail;
@@ -1235,13 +1242,19 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
     double most;
     double steepest;
     int64_t i;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    scratch = INT64_C(0);
+    (*cspan_at(&tables, pair + layout__PAIR_SCAN)) = (double)(at - pair);
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     pieces = int64_t_max(2, prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
     firsts = scratch + INT64_C(3) * pieces;
     prepare_scan__sample_pieces(tables, wheel, work, scratch);
-    count = prepare_scan__write_raster(tables, scan, work, scratch, firsts);
+    count = prepare_scan__write_raster(tables, pair, scan, work, scratch, firsts);
+    if (count == prepare_scan__TOO_WIDE)
+    {
+        (*cspan_at(&setup, layout__SETUP_WIDTH)) = (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START));
+    }
     if (count < INT64_C(0))
     {
         return count;
@@ -1261,12 +1274,12 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
     {
         return prepare_pieces__FULL;
     }
-    prepare_scan__write_wheel_bounds(tables, scan, count, work, scratch);
-    prepare_scan__write_levers(tables, scan, count);
+    prepare_scan__write_wheel_bounds(tables, pair, scan, count, work, scratch);
+    prepare_scan__write_levers(tables, pair, scan, count);
     prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) = steepest;
     prepare_scan__sample_pieces(tables, rail, work, scratch);
-    prepare_scan__write_rail_bounds(tables, scan, work, scratch);
+    prepare_scan__write_rail_bounds(tables, pair, scan, work, scratch);
     for (i = INT64_C(0); i < bins; i += INT64_C(1))
     {
         (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + i)) = (*cspan_at(&work, firsts + i));
@@ -1280,10 +1293,10 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_dou
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
  * and the native FMU do at the start, outside the hot unit.
  *
- * The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
- * other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
- * of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
- * (``write_methods``).
+ * The recipe (``prepare``): settings, tables that do not depend on the profiles, then of each side the wheel,
+ * the rail and the raster over both (``write_wheel``, ``write_rail``, ``write_scan``); a left wheel or rail that
+ * equals the right one shares its tables. Then the kernel itself fills the table of starts (``start_shift`` and
+ * ``note_start``), and last come the methods (``write_methods``).
  *
  * Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
  * with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
@@ -1431,44 +1444,13 @@ static inline int64_t prepare_tables__copy_definition(array_double_1d definition
     return at + size;
 }
 
-/* Cut the wheel's and place the rail's definition in the workspace, and note where the
- * rail stands; the outcome.
- */
-static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report)
-{
-    double angle;
-    double y_top;
-    double z_top;
-    double depth;
-    double y_gauge;
-    double reached;
-    angle = -atan((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION)));
-    prepare_zones__highest_point(&y_top, &z_top, work, rail, angle);
-    depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
-    prepare_zones__inner_face(&y_gauge, &reached, work, rail, angle, depth);
-    if (reached < depth)
-    {
-        (*cspan_at(&report, prepare_tables__REPORT_DEEPEST)) = reached * prepare_pieces__MM;
-        (*cspan_at(&report, prepare_tables__REPORT_DEPTH)) = depth * prepare_pieces__MM;
-        return prepare_tables__GAUGE_TOO_DEEP;
-    }
-    (*cspan_at(&tables, layout__TABLES_RAIL_Y)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
-    prepare_zones__turn_zones(work, rail, angle, -y_top, -z_top);
-    prepare_zones__turn_zones(work, wheel, 0.0, 0.0, 0.0);
-    if ((prepare_zones__keep_around_top(work, rail) == INT64_C(0)) || (prepare_zones__keep_around_top(work, wheel) == INT64_C(0)))
-    {
-        return prepare_tables__WITHOUT_HEAD;
-    }
-    return prepare_tables__PREPARED;
-}
-
 /* The settings that are known from the beginning, with each method's first choice. */
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
 {
     double nu;
-    int64_t i;
-    (*cspan_at(&tables, layout__TABLES_RADIUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS));
-    (*cspan_at(&tables, layout__TABLES_HEIGHT)) = (*cspan_at(&setup, layout__SETUP_HEIGHT));
+    int64_t i_1;
+    int64_t index;
+    (*cspan_at(&tables, layout__TABLES_HEIGHT)) = 0.5 * ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS)) + (*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)));
     (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
     nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
@@ -1485,9 +1467,13 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)((double)(layout__DEPTH_ALL));
     (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, layout__SETUP_ABSENT));
     (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)((double)(layout__STATION_COUNT));
-    for (i = INT64_C(0); i < layout__PARAMETERS_SIZE; i += INT64_C(1))
+    for (i_1 = INT64_C(0); i_1 < layout__PARAMETERS_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&tables, layout__TABLES_PARAMETERS + i)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + i));
+        (*cspan_at(&tables, layout__TABLES_PARAMETERS + i_1)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + i_1));
+    }
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_TABLES)) = (double)(INT64_C(0) - (layout__TABLES_PAIRS + layout__PAIR_SIZE * index));
     }
     return INT64_C(0);
 }
@@ -1510,73 +1496,106 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
  */
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at)
 {
-    int64_t i;
     int64_t starts;
+    int64_t i_1;
     if (at + layout__STARTS_SIZE > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
-    for (i = INT64_C(0); i < layout__STARTS_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, at + i)) = 0.0;
-    }
     (*cspan_at(&tables, layout__TABLES_STARTS)) = (double)(at);
     starts = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
+    for (i_1 = INT64_C(0); i_1 < layout__STARTS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&tables, starts + i_1)) = 0.0;
+    }
     (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT)) = -layout__LATERAL_LIMIT;
     (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
     return at + layout__STARTS_SIZE;
 }
 
-/* Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
- * depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
- * tables.
+/* The tables of a wheel of this radius [m] at ``at``, and where the pair finds them; the offset after
+ * them, or why not.
  */
-static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d fixed, array_double_1d tables, array_double_1d work, array_double_1d report)
+static inline int64_t prepare_tables__write_wheel(array_double_1d setup, array_double_1d tables, int64_t pair, double radius, int64_t at, array_double_1d definition, array_double_1d work)
 {
-    int64_t i;
-    int64_t rail_zones;
     int64_t scratch;
-    int64_t outcome;
-    int64_t wheel;
-    int64_t rail;
+    int64_t end;
+    scratch = prepare_tables__copy_definition(definition, work, INT64_C(0));
+    prepare_zones__turn_zones(work, INT64_C(0), 0.0, 0.0, 0.0);
+    if (prepare_zones__keep_around_top(work, INT64_C(0)) == INT64_C(0))
+    {
+        return prepare_tables__WITHOUT_HEAD;
+    }
+    (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) = radius;
+    (*cspan_at(&tables, pair + layout__PAIR_WHEEL)) = (double)(at - pair);
+    end = prepare_pieces__write_profile(tables, at, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
+    if (end != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE)) = (double)(end - pair);
+        end = prepare_curvatures__write_curvatures(tables, end, at, -1.0, work, scratch);
+    }
+    return end;
+}
+
+/* The tables of a rail at ``at``, inclined and placed in the track, and where the pair finds them; the
+ * offset after them, or why not.
+ */
+static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_double_1d tables, int64_t pair, double inclination, int64_t at, array_double_1d definition, array_double_1d work)
+{
+    int64_t scratch;
+    double angle;
+    double y_top;
+    double z_top;
+    double depth;
+    double y_gauge;
+    double reached;
+    int64_t end;
+    scratch = prepare_tables__copy_definition(definition, work, INT64_C(0));
+    angle = -atan(inclination);
+    prepare_zones__highest_point(&y_top, &z_top, work, INT64_C(0), angle);
+    depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
+    prepare_zones__inner_face(&y_gauge, &reached, work, INT64_C(0), angle, depth);
+    if (reached < depth)
+    {
+        (*cspan_at(&setup, layout__SETUP_REACHED)) = reached * prepare_pieces__MM;
+        (*cspan_at(&setup, layout__SETUP_DEPTH)) = depth * prepare_pieces__MM;
+        return prepare_tables__GAUGE_TOO_DEEP;
+    }
+    prepare_zones__turn_zones(work, INT64_C(0), angle, -y_top, -z_top);
+    if (prepare_zones__keep_around_top(work, INT64_C(0)) == INT64_C(0))
+    {
+        return prepare_tables__WITHOUT_HEAD;
+    }
+    (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    (*cspan_at(&tables, pair + layout__PAIR_RAIL)) = (double)(at - pair);
+    end = prepare_pieces__write_profile(tables, at, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
+    if (end != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE)) = (double)(end - pair);
+        end = prepare_curvatures__write_curvatures(tables, end, at, 1.0, work, scratch);
+    }
+    if (end != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)) = (double)(end - pair);
+        end = prepare_curvatures__write_arcs(tables, end, at, work, scratch);
+    }
+    if (end != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)) = (double)(end - pair);
+        end = prepare_curvatures__write_abscissae(tables, end, at, work, scratch);
+    }
+    return end;
+}
+
+/* What does not depend on the profiles, behind the settings; the offset after it, or FULL.
+ *
+ * ``fixed`` are the tables that are the same for all wheelsets.
+ */
+static inline int64_t prepare_tables__write_common(array_double_1d setup, array_double_1d tables, array_double_1d fixed)
+{
     int64_t at;
-    for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, i)) = 0.0;
-    }
-    rail_zones = prepare_tables__copy_definition(wheel_definition, work, INT64_C(0));
-    scratch = prepare_tables__copy_definition(rail_definition, work, rail_zones);
-    outcome = prepare_tables__place_zones(setup, work, INT64_C(0), rail_zones, tables, report);
-    if (outcome != prepare_tables__PREPARED)
-    {
-        return outcome;
-    }
-    prepare_tables__write_settings(setup, tables);
-    wheel = layout__SETTING_COUNT;
-    (*cspan_at(&tables, layout__TABLES_WHEEL)) = (double)(wheel);
-    rail = prepare_pieces__write_profile(tables, wheel, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
-    if (rail == prepare_pieces__FULL)
-    {
-        return prepare_tables__TABLES_FULL;
-    }
-    (*cspan_at(&tables, layout__TABLES_RAIL)) = (double)(rail);
-    at = prepare_pieces__write_profile(tables, rail, work, rail_zones, (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
-    if (at == prepare_pieces__FULL)
-    {
-        return prepare_tables__TABLES_FULL;
-    }
-    (*cspan_at(&tables, layout__TABLES_SCAN)) = (double)(at);
-    at = prepare_scan__write_scan(tables, work, scratch);
-    if (at == prepare_scan__TOO_WIDE)
-    {
-        (*cspan_at(&report, prepare_tables__REPORT_WIDTH)) = (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        return prepare_tables__WHEEL_TOO_WIDE;
-    }
-    if (at != prepare_pieces__FULL)
-    {
-        (*cspan_at(&tables, layout__TABLES_HERTZ)) = (double)(at);
-        at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_HERTZ);
-    }
+    (*cspan_at(&tables, layout__TABLES_HERTZ)) = (double)(layout__SETTING_COUNT);
+    at = prepare_tables__append_fixed(tables, layout__SETTING_COUNT, fixed, prepare_tables__FIXED_HERTZ);
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_INFLUENCE)) = (double)(at);
@@ -1591,32 +1610,128 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     {
         at = prepare_tables__append_starts(tables, at);
     }
-    if (at != prepare_pieces__FULL)
+    return at;
+}
+
+/* The right side's wheel, rail and raster from ``at`` on; the offset after them, or why not. */
+static inline int64_t prepare_tables__write_right(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work)
+{
+    int64_t pair;
+    int64_t end;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
+    end = prepare_tables__write_wheel(setup, tables, pair, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS)), at, wheel, work);
+    if (end >= INT64_C(0))
     {
-        (*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, work, scratch);
+        end = prepare_tables__write_rail(setup, tables, pair, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION)), end, rail, work);
     }
-    if (at != prepare_pieces__FULL)
+    if (end >= INT64_C(0))
     {
-        (*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, work, scratch);
+        end = prepare_scan__write_scan(setup, tables, pair, end, work);
     }
-    if (at != prepare_pieces__FULL)
+    return end;
+}
+
+/* The left side's wheel, rail and raster from ``at`` on, as far as they are not the right side's; the
+ * offset after them, or why not.
+ */
+static inline int64_t prepare_tables__write_left(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work, bool equal_wheels, bool equal_rails)
+{
+    int64_t right;
+    int64_t end;
+    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
+    end = at;
+    if (equal_wheels)
     {
-        (*cspan_at(&tables, layout__TABLES_RAIL_ARC)) = (double)(at);
-        at = prepare_curvatures__write_arcs(tables, at, rail, work, scratch);
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)) = (*cspan_at(&tables, right + layout__PAIR_RADIUS));
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL))) - layout__TABLES_PAIRS);
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL_CURVATURE)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL_CURVATURE))) - layout__TABLES_PAIRS);
     }
-    if (at != prepare_pieces__FULL)
+    else
     {
-        (*cspan_at(&tables, layout__TABLES_RAIL_AT_ARC)) = (double)(at);
-        at = prepare_curvatures__write_abscissae(tables, at, rail, work, scratch);
+        end = prepare_tables__write_wheel(setup, tables, layout__TABLES_PAIRS, (*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)), end, wheel, work);
     }
-    if (at == prepare_pieces__FULL)
+    if (equal_rails)
     {
-        return prepare_tables__TABLES_FULL;
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)) = (*cspan_at(&tables, right + layout__PAIR_RAIL_Y));
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL))) - layout__TABLES_PAIRS);
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_CURVATURE)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_CURVATURE))) - layout__TABLES_PAIRS);
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_ARC)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_ARC))) - layout__TABLES_PAIRS);
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_AT_ARC)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_AT_ARC))) - layout__TABLES_PAIRS);
     }
-    (*cspan_at(&report, prepare_tables__REPORT_SIZE)) = (double)(at);
-    return prepare_tables__PREPARED;
+    else if (end >= INT64_C(0))
+    {
+        end = prepare_tables__write_rail(setup, tables, layout__TABLES_PAIRS, (*cspan_at(&setup, layout__SETUP_LEFT_INCLINATION)), end, rail, work);
+    }
+    if (equal_wheels && equal_rails)
+    {
+        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SCAN)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_SCAN))) - layout__TABLES_PAIRS);
+    }
+    else if (end >= INT64_C(0))
+    {
+        end = prepare_scan__write_scan(setup, tables, layout__TABLES_PAIRS, end, work);
+    }
+    return end;
+}
+
+/* Everything but starts and methods into ``tables``; how many numbers of it are used, or why not.
+ *
+ * The definitions are those of both sides; the workspace holds one of them and as much again as the tables.
+ */
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel, array_double_1d rail, array_double_1d left_wheel, array_double_1d left_rail, array_double_1d fixed, array_double_1d tables, array_double_1d work)
+{
+    int64_t i;
+    bool equal_wheels;
+    bool equal_rails;
+    int64_t at;
+    for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, i)) = 0.0;
+    }
+    prepare_tables__write_settings(setup, tables);
+    at = prepare_tables__write_common(setup, tables, fixed);
+    (*cspan_at(&setup, layout__SETUP_SIDE)) = 1.0;
+    if (at >= INT64_C(0))
+    {
+        at = prepare_tables__write_right(setup, tables, at, wheel, rail, work);
+    }
+    if (at >= INT64_C(0))
+    {
+        (*cspan_at(&setup, layout__SETUP_SIDE)) = 0.0;
+        equal_wheels = ((*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)) == (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS))) && prepare_tables__same_numbers(left_wheel, wheel);
+        equal_rails = ((*cspan_at(&setup, layout__SETUP_LEFT_INCLINATION)) == (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION))) && prepare_tables__same_numbers(left_rail, rail);
+        at = prepare_tables__write_left(setup, tables, at, left_wheel, left_rail, work, equal_wheels, equal_rails);
+    }
+    return at;
+}
+
+/* Whether two definitions are equal; a number that is none equals itself. */
+static inline bool prepare_tables__same_numbers(array_double_1d one, array_double_1d other)
+{
+    int64_t i_end;
+    int64_t i;
+    if ((int64_t)one.shape[INT64_C(0)] != (int64_t)other.shape[INT64_C(0)])
+    {
+        return 0;
+    }
+    i_end = (int64_t)one.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        if (((*cspan_at(&one, i)) != (*cspan_at(&other, i))) && (!(((*cspan_at(&one, i)) != (*cspan_at(&one, i))) && ((*cspan_at(&other, i)) != (*cspan_at(&other, i))))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether both sides have the same wheel and rail. */
+static inline bool prepare_tables__equal_sides(array_double_1d tables)
+{
+    int64_t right;
+    bool result;
+    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
+    result = (layout__TABLES_PAIRS + (int64_t)((*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL))) == right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL)))) && (layout__TABLES_PAIRS + (int64_t)((*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL))) == right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL))));
+    return result;
 }
 
 /* Lateral shift [m] of a row of the table of starts. */
@@ -1644,12 +1759,12 @@ static inline int64_t prepare_tables__note_start(array_double_1d work, array_dou
 
 /* Let the search use the table of starts, once its last row is known.
  *
- * Where both sides are equal, ``equal``, rows of opposite shifts are made mirror images of each other to
+ * Where both sides are equal, rows of opposite shifts are made mirror images of each other to
  * the last bit: a wheelset and its mirror image start alike.
  */
-static inline int64_t prepare_tables__open_starts(array_double_1d tables, bool equal)
+static inline int64_t prepare_tables__open_starts(array_double_1d tables)
 {
-    if (equal)
+    if (prepare_tables__equal_sides(tables))
     {
         prepare_tables__mirror_starts(tables);
     }

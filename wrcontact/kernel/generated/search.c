@@ -3,10 +3,10 @@
 
 /* search/bounds.py */
 static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y);
-static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node);
-static inline double bounds__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa);
-static inline double bounds__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward);
+static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static inline double bounds__rail_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
+static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t direction, double abscissa);
+static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward);
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa);
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u);
 static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u);
@@ -19,50 +19,49 @@ static inline double bounds__least_slope(double least, double most, double width
 static inline bool bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high);
 
 /* search/first_root.py */
-static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll);
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
-static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine);
-static inline bool first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine);
-static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, double known, double roll, double turned);
-static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
+static inline double first_root__largest_lever_beyond(array_double_1d tables, int64_t pair, double y, double roll, double sine);
+static inline bool first_root__is_beside_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double known, double roll, double sine);
+static inline bool first_root__falls_from_zero_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t index, double known, double roll, double turned);
+static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d tables, double roll);
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll);
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll);
-static inline double first_root__lever_at(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, int64_t at, double one, double other);
-static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, int64_t near, int64_t far, double sign);
-static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial, int64_t to);
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double near, double middle, double sign);
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
+static inline double first_root__lever_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
+static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other);
+static inline bool first_root__has_no_root(array_double_1d work, array_double_1d tables, int64_t near, int64_t far, double sign);
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign);
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll);
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
 
 /* search/roll.py */
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll);
-static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, bool known);
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, double roll);
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll);
+static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
-static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side);
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables);
-static inline bool roll__on_profiles(array_double_1d tables, double y, double abscissa);
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double low, double high);
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double first, double last, bool known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm);
+static inline bool roll__follow_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables);
+static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, double y, double abscissa);
+static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double low, double high);
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known);
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
 
 /* search/smallest_gap.py */
 static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
 static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
 static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, int64_t cell);
+static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
 static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
-static inline int64_t smallest_gap__search_cell(array_double_1d work, array_double_1d tables, int64_t side, double least, double most, double first, double last);
-static inline int64_t smallest_gap__search_end(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t outward);
-static inline int64_t smallest_gap__search_between(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, double abscissa);
-static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t direction);
-static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, int64_t stride);
-static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, bool known);
+static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double least, double most, double first, double last);
+static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward);
+static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa);
+static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t direction);
+static inline int64_t smallest_gap__best_node(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t stride);
+static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known);
 
 
 /* ---- From search/bounds.py; change that one.
@@ -92,7 +91,7 @@ static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, d
 }
 
 /* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``. */
-static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, int64_t node)
+static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
 {
     int64_t point;
     double y_track;
@@ -100,17 +99,17 @@ static inline int64_t bounds__node_gap(double* result_0, double* result_1, doubl
     double outline_slope;
     double height;
     double rail_slope;
-    point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&tables, point + layout__SCAN_NODE_Y)), (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    tables__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope(&height, &rail_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
     (*result_0) = height - z_track;
     (*result_1) = rail_slope - outline_slope;
     return 0;
 }
 
 /* Abscissa on the rail [m] below wheel abscissa ``y`` [m]. */
-static inline double bounds__rail_below(array_double_1d work, array_double_1d tables, int64_t at, double y)
+static inline double bounds__rail_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y)
 {
     double z;
     double slope;
@@ -118,9 +117,9 @@ static inline double bounds__rail_below(array_double_1d work, array_double_1d ta
     double z_track;
     double outline_slope;
     double result;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    result = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    result = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
     return result;
 }
 
@@ -130,7 +129,7 @@ static inline double bounds__rail_below(array_double_1d work, array_double_1d ta
  * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
  * reach over a rail that ends below the flange root.
  */
-static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa)
+static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t direction, double abscissa)
 {
     int64_t scan;
     int64_t rail;
@@ -138,8 +137,8 @@ static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tab
     double reach;
     double sine;
     double steep;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     apart = abscissa - (*cspan_at(&tables, rail + layout__PROFILE_STOP));
     if (direction < INT64_C(0))
     {
@@ -158,17 +157,17 @@ static inline bool bounds__leaves_rail(array_double_1d work, array_double_1d tab
 /* Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
  * next one ``outward`` (1 or -1).
  */
-static inline double bounds__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward)
+static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward)
 {
     double outside;
     double middle;
     double inside;
-    inside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-    outside = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y));
+    inside = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+    outside = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y));
     while(fabs(outside - inside) > bounds__END_SHARP)
     {
         middle = 0.5 * (inside + outside);
-        if (gap__above_rail(tables, bounds__rail_below(work, tables, at, middle)))
+        if (gap__above_rail(tables, pair, bounds__rail_below(tables, work, pair, at, middle)))
         {
             inside = middle;
         }
@@ -427,32 +426,32 @@ static inline double bounds__least_slope(double least, double most, double width
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that.
  */
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
 {
-    first_root__certified_roll(roll, status, work, left_tables, right_tables, guess, warm);
+    first_root__certified_roll(roll, status, work, tables, guess, warm);
     if (((*status) != layout__VALID) && ((guess != 0.0) || warm))
     {
-        first_root__certified_roll(roll, status, work, left_tables, right_tables, 0.0, 0);
+        first_root__certified_roll(roll, status, work, tables, 0.0, 0);
     }
     return 0;
 }
 
 /* ``solve_roll`` from this start alone. */
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
 {
-    roll__any_roll(roll, status, work, left_tables, right_tables, guess, warm);
-    if (((*status) == layout__VALID) && (!first_root__falls_at_zero_roll(work, left_tables, right_tables, (*roll))))
+    roll__any_roll(roll, status, work, tables, guess, warm);
+    if (((*status) == layout__VALID) && (!first_root__falls_at_zero_roll(work, tables, (*roll))))
     {
-        if (!first_root__is_certainly_first(work, left_tables, right_tables, (*roll)))
+        if (!first_root__is_certainly_first(work, tables, (*roll)))
         {
-            first_root__first_root(roll, status, work, left_tables, right_tables, (*roll));
+            first_root__first_root(roll, status, work, tables, (*roll));
         }
     }
     return 0;
 }
 
 /* Whether D falls through its known root at ``roll``, and that is zero roll. */
-static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
+static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll)
 {
     double difference;
     double move;
@@ -460,7 +459,7 @@ static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_do
     falls = 0;
     if (fabs(roll) < first_root__APART)
     {
-        roll__newton_move(&difference, &move, work, left_tables, right_tables);
+        roll__newton_move(&difference, &move, work, tables);
         if (fabs(move) < 0.5)
         {
             falls = 1;
@@ -478,7 +477,7 @@ static inline double first_root__lever_per_roll(double steep, double radius, dou
 /* The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
  * ``roll`` [rad] and the yaw whose sine is given.
  */
-static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine)
+static inline double first_root__largest_lever_beyond(array_double_1d tables, int64_t pair, double y, double roll, double sine)
 {
     int64_t scan;
     double lever;
@@ -486,9 +485,9 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
     double arm;
     double steep;
     double yawed;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     lever = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * bounds__node_below(tables, scan, y) + layout__SCAN_NODE_LEVER));
-    radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
+    radius = (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
     arm = (*cspan_at(&tables, layout__TABLES_ARM));
     steep = fabs(lever + arm) / radius;
     yawed = first_root__LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
@@ -498,7 +497,7 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
 /* Whether all places of a wheel whose levers are not below -``known`` [m] are beside the
  * rail at zero roll.
  */
-static inline bool first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine)
+static inline bool first_root__is_beside_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double known, double roll, double sine)
 {
     int64_t scan;
     int64_t low;
@@ -507,13 +506,13 @@ static inline bool first_root__is_beside_rail(array_double_1d work, array_double
     double reach;
     double furthest;
     bool beside;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     low = -INT64_C(1);
     high = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))) - INT64_C(1);
     while(high - low > INT64_C(1))
     {
         middle = py_floor_div_int64_t((low + high), INT64_C(2));
-        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * middle + layout__SCAN_NODE_Y)), roll, sine) < 0.0)
+        if (known + first_root__largest_lever_beyond(tables, pair, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * middle + layout__SCAN_NODE_Y)), roll, sine) < 0.0)
         {
             high = middle;
         }
@@ -525,10 +524,10 @@ static inline bool first_root__is_beside_rail(array_double_1d work, array_double
     beside = 1;
     if (low >= INT64_C(0))
     {
-        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
-        reach += first_root__LEANING_SHARE * (*cspan_at(&tables, layout__TABLES_RADIUS)) * fabs((*cspan_at(&work, at + layout__PLACE_RAIL_SIN)));
+        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
+        reach += first_root__LEANING_SHARE * (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) * fabs((*cspan_at(&work, at + layout__PLACE_RAIL_SIN)));
         furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y)) + reach;
-        if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)))
+        if (furthest > (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)))
         {
             beside = 0;
         }
@@ -543,7 +542,7 @@ static inline bool first_root__is_beside_rail(array_double_1d work, array_double
  * places that are not beside the rail at zero roll; or those beyond its contact at zero
  * roll, for which that one is searched.
  */
-static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
+static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d tables, double roll)
 {
     double sine;
     double turned;
@@ -554,20 +553,20 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
     certain = 0;
     if (roll < 0.0)
     {
-        known = first_root__largest_lever_beyond(right_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
-        certain = first_root__is_beside_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, turned, sine);
+        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
+        certain = first_root__is_beside_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(work, left_tables, INT64_C(0), known, roll, turned);
+            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS, INT64_C(0), known, roll, turned);
         }
     }
     else
     {
-        known = first_root__largest_lever_beyond(left_tables, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
-        certain = first_root__is_beside_rail(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, turned, sine);
+        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
+        certain = first_root__is_beside_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(work, right_tables, INT64_C(1), known, roll, turned);
+            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), INT64_C(1), known, roll, turned);
         }
     }
     return certain;
@@ -577,7 +576,7 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
  * ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
  * either wheel is rolled against its rail by up to ``turned`` [rad].
  */
-static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_double_1d tables, int64_t index, double known, double roll, double turned)
+static inline bool first_root__falls_from_zero_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t index, double known, double roll, double turned)
 {
     int64_t lower;
     double gap;
@@ -591,10 +590,10 @@ static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_
     abscissa = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL));
     certain = 0;
     roll__turn_both(work, 0.0);
-    followed = roll__follow_side(work, tables, lower);
-    if (smallest_gap__search_side(work, tables, lower, followed))
+    followed = roll__follow_side(tables, work, pair, lower);
+    if (smallest_gap__search_side(tables, work, pair, lower, followed))
     {
-        if (known + first_root__largest_lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), turned, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
+        if (known + first_root__largest_lever_beyond(tables, pair, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), turned, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
         {
             certain = 1;
         }
@@ -609,7 +608,7 @@ static inline bool first_root__falls_from_zero_roll(array_double_1d work, array_
 /* How the gap at ``y`` [m] would change with the roll if the rail there were
  * parallel to the wheel [m].
  */
-static inline double first_root__lever_at(array_double_1d work, array_double_1d tables, int64_t at, double y)
+static inline double first_root__lever_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y)
 {
     double z;
     double slope;
@@ -623,7 +622,7 @@ static inline double first_root__lever_at(array_double_1d work, array_double_1d 
     double sin_roll;
     double cos_roll;
     double result;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
     arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
@@ -635,7 +634,7 @@ static inline double first_root__lever_at(array_double_1d work, array_double_1d 
 }
 
 /* Smallest and largest ``lever_at`` between two places of the wheel [m]. */
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d work, array_double_1d tables, int64_t at, double one, double other)
+static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other)
 {
     int64_t scan;
     double y;
@@ -646,7 +645,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
     double following;
     double lever;
     double beyond;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     y = one;
     last = other;
     if (other < one)
@@ -655,7 +654,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
         last = one;
     }
     node = bounds__node_below(tables, scan, y);
-    before = first_root__lever_at(work, tables, at, y);
+    before = first_root__lever_at(tables, work, pair, at, y);
     (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
     (*least) = before;
     (*most) = before;
@@ -668,7 +667,7 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
         {
             following = last;
         }
-        lever = first_root__lever_at(work, tables, at, following);
+        lever = first_root__lever_at(tables, work, pair, at, following);
         (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         beyond = 0.5 * first_root__FASTER * bend * (following - y) * ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + (*cspan_at(&work, at + layout__PLACE_ARM)));
         (*least) = double_min(2, (*least), double_min(2, lever, before) - beyond);
@@ -697,20 +696,10 @@ static inline int64_t first_root__note_root(array_double_1d work, int64_t trial,
     return INT64_C(0);
 }
 
-/* Copy what is known of D at a roll. */
-static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial, int64_t to)
-{
-    (*cspan_at(&work, to + layout__ROLL_TRIAL_ROLL)) = (*cspan_at(&work, trial + layout__ROLL_TRIAL_ROLL));
-    (*cspan_at(&work, to + layout__ROLL_TRIAL_DIFFERENCE)) = (*cspan_at(&work, trial + layout__ROLL_TRIAL_DIFFERENCE));
-    (*cspan_at(&work, to + layout__ROLL_TRIAL_LEFT)) = (*cspan_at(&work, trial + layout__ROLL_TRIAL_LEFT));
-    (*cspan_at(&work, to + layout__ROLL_TRIAL_RIGHT)) = (*cspan_at(&work, trial + layout__ROLL_TRIAL_RIGHT));
-    return INT64_C(0);
-}
-
 /* Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
  * ``sign`` or, at ``far``, is zero.
  */
-static inline bool first_root__has_no_root(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, int64_t near, int64_t far, double sign)
+static inline bool first_root__has_no_root(array_double_1d work, array_double_1d tables, int64_t near, int64_t far, double sign)
 {
     double width;
     double left_least;
@@ -728,11 +717,11 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
     double meet;
     width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL)));
     roll__turn_both(work, 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL))));
-    first_root__lever_range(&left_least, &left_most, work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
-    first_root__lever_range(&right_least, &right_most, work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
-    arm = (*cspan_at(&right_tables, layout__TABLES_ARM));
-    radius = double_max(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
-    steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / double_min(2, (*cspan_at(&left_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_RADIUS)));
+    first_root__lever_range(&left_least, &left_most, tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
+    first_root__lever_range(&right_least, &right_most, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
+    arm = (*cspan_at(&tables, layout__TABLES_ARM));
+    radius = double_max(2, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
+    steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / double_min(2, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
     margin = width * first_root__lever_per_roll(steep, radius, arm);
     least = left_least + right_least - margin;
     most = left_most + right_most + margin;
@@ -748,7 +737,7 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
 }
 
 /* The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``. */
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
+static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll)
 {
     double sign;
     double first;
@@ -758,10 +747,11 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     int64_t trial;
     int64_t far;
     double width;
+    int64_t i_1;
     double middle;
     first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     roll__turn_both(work, 0.0);
-    if (!roll__search_both(work, left_tables, right_tables, 0))
+    if (!roll__search_both(work, tables, 0))
     {
         (*result_0) = 0.0;
         (*result_1) = layout__OFF_PROFILE;
@@ -786,7 +776,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     status = layout__VALID;
     if (sign * roll < 0.0)
     {
-        roll__roll_between(&roll, &status, work, left_tables, right_tables, 0.5 * (first + last), first, last, 0);
+        roll__roll_between(&roll, &status, work, tables, 0.5 * (first + last), first, last, 0);
         first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     }
     end = INT64_C(0);
@@ -795,16 +785,19 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     {
         far = layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR + layout__ROLL_TRIAL_SIZE * end;
         width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
-        if ((width < first_root__APART) || first_root__has_no_root(work, left_tables, right_tables, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
+        if ((width < first_root__APART) || first_root__has_no_root(work, tables, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
         {
-            first_root__copy_trial(work, far, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR);
+            for (i_1 = INT64_C(0); i_1 < layout__ROLL_TRIAL_SIZE; i_1 += INT64_C(1))
+            {
+                (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + i_1)) = (*cspan_at(&work, far + i_1));
+            }
             end -= INT64_C(1);
         }
         else
         {
             middle = 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
             roll__turn_both(work, middle);
-            if (!roll__search_both(work, left_tables, right_tables, 0))
+            if (!roll__search_both(work, tables, 0))
             {
                 status = layout__OFF_PROFILE;
             }
@@ -817,7 +810,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
             {
                 /* a root before: it is the known one now */
                 end = INT64_C(0);
-                first_root__root_before(&roll, &status, work, left_tables, right_tables, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
+                first_root__root_before(&roll, &status, work, tables, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
                 first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
             }
         }
@@ -830,7 +823,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     if (status == layout__VALID)
     {
         roll__turn_both(work, roll);
-        roll__search_both(work, left_tables, right_tables, 0);
+        roll__search_both(work, tables, 0);
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -840,7 +833,7 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
 /* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
  * it has not; and the outcome.
  */
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double near, double middle, double sign)
+static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign)
 {
     double first;
     double last;
@@ -851,7 +844,7 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
         first = middle - first_root__APART;
         last = near;
     }
-    roll__roll_between(result_0, result_1, work, left_tables, right_tables, middle, first, last, 0);
+    roll__roll_between(result_0, result_1, work, tables, middle, first, last, 0);
     return 0;
 }
 
@@ -891,24 +884,24 @@ static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts
 }
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll)
 {
-    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&right_tables, layout__TABLES_RADIUS)), (*cspan_at(&right_tables, layout__TABLES_HEIGHT)), (*cspan_at(&right_tables, layout__TABLES_ARM)));
-    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&left_tables, layout__TABLES_RADIUS)));
+    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), (*cspan_at(&tables, layout__TABLES_ARM)));
+    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
     rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
     rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
-        roll__lean_both(work, left_tables, right_tables, roll);
+        roll__lean_both(work, tables, roll);
     }
     return INT64_C(0);
 }
 
 /* Let both rails have their roll below wheels that are placed at ``roll``. */
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll)
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, double roll)
 {
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&right_tables, layout__TABLES_RAIL_Y)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&left_tables, layout__TABLES_RAIL_Y)), -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
     roll__turn_both(work, roll);
     return INT64_C(0);
 }
@@ -940,17 +933,17 @@ static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place)
 }
 
 /* Search both sides; whether both wheels are above their rails. */
-static inline bool roll__search_both(array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, bool known)
+static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known)
 {
     bool left;
     bool right;
-    left = smallest_gap__search_side(work, left_tables, layout__WORK_SIDES, known);
-    right = smallest_gap__search_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), known);
+    left = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES, known);
+    right = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), known);
     return left && right;
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; whether it is found near. */
-static inline bool roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side)
+static inline bool roll__follow_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
     int64_t at;
     int64_t wheel;
@@ -962,11 +955,11 @@ static inline bool roll__follow_side(array_double_1d work, array_double_1d table
     double move;
     double abscissa;
     at = side + layout__SIDE_SEARCH_PLACE;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
     {
-        gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, y);
+        gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, y);
         (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         if (!(rate > 0.0))
         {
@@ -975,8 +968,8 @@ static inline bool roll__follow_side(array_double_1d work, array_double_1d table
         move = (-mismatch) / rate;
         if (fabs(move) < smallest_gap__SHARP)
         {
-            abscissa = bounds__rail_below(work, tables, at, y);
-            if (!gap__above_rail(tables, abscissa))
+            abscissa = bounds__rail_below(tables, work, pair, at, y);
+            if (!gap__above_rail(tables, pair, abscissa))
             {
                 return 0;
             }
@@ -993,11 +986,11 @@ static inline bool roll__follow_side(array_double_1d work, array_double_1d table
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables)
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables)
 {
     double rate;
     (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    rate = gap__gap_per_roll(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
+    rate = gap__gap_per_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
     (*move) = 1.0;
     if (rate < 0.0)
     {
@@ -1012,7 +1005,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  * and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
  * Between nearly conformal profiles a minimum can run away or vanish.
  */
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double low, double high)
+static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double low, double high)
 {
     double left;
     double right;
@@ -1042,8 +1035,8 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
         roll__turn_both(work, roll);
-        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
         if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
@@ -1066,7 +1059,7 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
         move_right -= turn_right * move / rate_right;
         if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < smallest_gap__SHARP) && (fabs(move_right) < smallest_gap__SHARP))
         {
-            if ((!roll__on_profiles(left_tables, left, rail_left)) || (!roll__on_profiles(right_tables, right, rail_right)))
+            if ((!roll__on_profiles(tables, layout__TABLES_PAIRS, left, rail_left)) || (!roll__on_profiles(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right, rail_right)))
             {
                 (*result_0_0001) = roll;
                 (*result_1_0001) = 0;
@@ -1100,12 +1093,12 @@ static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_
 }
 
 /* Whether there is a wheel at ``y`` and a rail at ``abscissa`` [m]. */
-static inline bool roll__on_profiles(array_double_1d tables, double y, double abscissa)
+static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, double y, double abscissa)
 {
     int64_t wheel;
     bool on;
-    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    on = gap__above_rail(tables, abscissa);
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    on = gap__above_rail(tables, pair, abscissa);
     if ((y < (*cspan_at(&tables, wheel + layout__PROFILE_START))) || (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP))))
     {
         on = 0;
@@ -1127,7 +1120,7 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double roll, double first, double last, bool known)
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known)
 {
     double low;
     double high;
@@ -1153,7 +1146,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
         before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-        found = roll__search_both(work, left_tables, right_tables, known);
+        found = roll__search_both(work, tables, known);
         if (known && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
         {
             (*result_0_0001) = roll;
@@ -1172,7 +1165,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         move = 1.0;
         if (found)
         {
-            roll__newton_move(&difference, &move, work, left_tables, right_tables);
+            roll__newton_move(&difference, &move, work, tables);
             if (fabs(move) < roll__ROLL_SHARP)
             {
                 (*result_0_0001) = roll;
@@ -1205,7 +1198,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
         }
         else
         {
-            roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, roll + move, low, high);
+            roll__equalize_minima(&balanced, &known, work, tables, roll + move, low, high);
             roll += move;
             if (known)
             {
@@ -1232,7 +1225,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d left_tables, array_double_1d right_tables, double guess, bool warm)
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
 {
     double start;
     bool known;
@@ -1243,20 +1236,20 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
         start = 0.0;
     }
     known = 0;
-    roll__place_both(work, left_tables, right_tables, start);
+    roll__place_both(work, tables, start);
     if (warm)
     {
-        roll__equalize_minima(&balanced, &known, work, left_tables, right_tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+        roll__equalize_minima(&balanced, &known, work, tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
         if (known)
         {
             start = balanced;
         }
     }
-    roll__roll_between(roll, status, work, left_tables, right_tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
+    roll__roll_between(roll, status, work, tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
     if (((*status) != layout__VALID) && (start != 0.0))
     {
         /* far from zero roll a wheel may be beside its rail, and D without a sign */
-        roll__roll_between(roll, status, work, left_tables, right_tables, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, 0);
+        roll__roll_between(roll, status, work, tables, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, 0);
     }
     return 0;
 }
@@ -1309,7 +1302,7 @@ static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1
  * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
  * second derivative [1/m].
  */
-static inline int64_t smallest_gap__search_cell(array_double_1d work, array_double_1d tables, int64_t side, double least, double most, double first, double last)
+static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double least, double most, double first, double last)
 {
     int64_t at;
     double gap_low;
@@ -1331,8 +1324,8 @@ static inline int64_t smallest_gap__search_cell(array_double_1d work, array_doub
     double middle;
     double mismatch;
     at = side + layout__SIDE_SEARCH_PLACE;
-    gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, first);
-    gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, last);
+    gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, work, pair, at, first);
+    gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, work, pair, at, last);
     (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 2.0;
     smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
     depth = INT64_C(1);
@@ -1356,13 +1349,13 @@ static inline int64_t smallest_gap__search_cell(array_double_1d work, array_doub
             steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && (!folded);
             if (turns && ((least > 0.0) || (width <= smallest_gap__NARROW)))
             {
-                smallest_gap__refine_minimum(&y, &gap, work, tables, at, cell);
+                smallest_gap__refine_minimum(&y, &gap, tables, work, pair, at, cell);
                 smallest_gap__keep_refined(work, side, y, gap, width);
             }
             else if ((width > smallest_gap__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
+                gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, middle);
                 (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
                 smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
                 smallest_gap__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
@@ -1408,7 +1401,7 @@ static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t s
 /* Abscissa [m] and gap [m] where the slope difference vanishes in a cell:
  * bracketed Newton's method.
  */
-static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, int64_t cell)
+static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
 {
     double low;
     double high;
@@ -1423,7 +1416,7 @@ static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array
     (*gap) = 0.0;
     for (i = INT64_C(0); i < smallest_gap__REFINEMENTS; i += INT64_C(1))
     {
-        gap__vertical_gap(gap, &mismatch, &rate, work, tables, at, (*y));
+        gap__vertical_gap(gap, &mismatch, &rate, tables, work, pair, at, (*y));
         (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
         if (mismatch < 0.0)
         {
@@ -1456,7 +1449,7 @@ static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array
 }
 
 /* Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
-static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t direction)
+static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t direction)
 {
     int64_t scan;
     int64_t at;
@@ -1471,7 +1464,7 @@ static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d t
     double mismatch;
     double abscissa;
     double slope;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     at = side + layout__SIDE_SEARCH_PLACE;
     count = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)));
     exponent = layout__EXPONENTS - INT64_C(1);
@@ -1482,15 +1475,15 @@ static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d t
     beside = 0;
     while((node >= INT64_C(0)) && (node < count))
     {
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
         (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
-        if (!gap__above_rail(tables, abscissa))
+        if (!gap__above_rail(tables, pair, abscissa))
         {
             if ((!skipped) && (!beside))
             {
-                smallest_gap__search_end(work, tables, side, node - direction, direction);
+                smallest_gap__search_end(tables, work, pair, side, node - direction, direction);
             }
-            if (bounds__leaves_rail(work, tables, at, node, direction, abscissa))
+            if (bounds__leaves_rail(tables, work, pair, at, node, direction, abscissa))
             {
                 return INT64_C(0);
             }
@@ -1503,19 +1496,19 @@ static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d t
             smallest_gap__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
             if (beside)
             {
-                smallest_gap__search_end(work, tables, side, node, -direction);
+                smallest_gap__search_end(tables, work, pair, side, node, -direction);
             }
             else if (!skipped)
             {
                 if (direction > INT64_C(0))
                 {
                     smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
-                    smallest_gap__search_between(work, tables, side, node - INT64_C(1), abscissa_before);
+                    smallest_gap__search_between(tables, work, pair, side, node - INT64_C(1), abscissa_before);
                 }
                 else
                 {
                     smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
-                    smallest_gap__search_between(work, tables, side, node, abscissa);
+                    smallest_gap__search_between(tables, work, pair, side, node, abscissa);
                 }
             }
             beside = 0;
@@ -1545,18 +1538,18 @@ static inline int64_t smallest_gap__walk(array_double_1d work, array_double_1d t
  *
  * abscissa : of ``node`` on the rail [m].
  */
-static inline int64_t smallest_gap__search_between(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, double abscissa)
+static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa)
 {
     double least;
     double most;
     int64_t cell;
     double width;
-    bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
+    bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
     cell = side + layout__SIDE_SEARCH_STACK;
     width = (*cspan_at(&work, cell + layout__CELL_HIGH)) - (*cspan_at(&work, cell + layout__CELL_LOW));
     if (double_min(2, (*cspan_at(&work, cell + layout__CELL_GAP_LOW)), (*cspan_at(&work, cell + layout__CELL_GAP_HIGH))) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
     {
-        smallest_gap__search_cell(work, tables, side, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
+        smallest_gap__search_cell(tables, work, pair, side, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
     }
     return INT64_C(0);
 }
@@ -1564,7 +1557,7 @@ static inline int64_t smallest_gap__search_between(array_double_1d work, array_d
 /* Search between ``node``, above the rail, and the end of the rail, which lies before the next node
  * ``outward`` (1 or -1).
  */
-static inline int64_t smallest_gap__search_end(array_double_1d work, array_double_1d tables, int64_t side, int64_t node, int64_t outward)
+static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward)
 {
     int64_t at;
     double inner;
@@ -1579,8 +1572,8 @@ static inline int64_t smallest_gap__search_end(array_double_1d work, array_doubl
     double least;
     double most;
     at = side + layout__SIDE_SEARCH_PLACE;
-    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-    end = bounds__above_rail_end(work, tables, at, node, outward);
+    inner = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+    end = bounds__above_rail_end(tables, work, pair, at, node, outward);
     low = double_min(2, inner, end);
     high = double_max(2, inner, end);
     cell = node;
@@ -1590,14 +1583,14 @@ static inline int64_t smallest_gap__search_end(array_double_1d work, array_doubl
     }
     if (low < high)
     {
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-        bounds__node_gap(&gap, &mismatch, &beyond, work, tables, at, node + outward);
+        bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
+        bounds__node_gap(&gap, &mismatch, &beyond, tables, work, pair, at, node + outward);
         if (beyond < abscissa)
         {
-            abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
+            abscissa = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
         }
-        bounds__bend_bounds(&least, &most, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), at, cell, abscissa);
-        smallest_gap__search_cell(work, tables, side, -1.0, most, low, high);
+        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), at, cell, abscissa);
+        smallest_gap__search_cell(tables, work, pair, side, -1.0, most, low, high);
     }
     return INT64_C(0);
 }
@@ -1607,7 +1600,7 @@ static inline int64_t smallest_gap__search_end(array_double_1d work, array_doubl
  * With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
  * smaller one is looked for.
  */
-static inline bool smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, bool known)
+static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known)
 {
     int64_t scan;
     int64_t at;
@@ -1618,7 +1611,7 @@ static inline bool smallest_gap__search_side(array_double_1d work, array_double_
     double gap;
     double mismatch;
     double abscissa;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     at = side + layout__SIDE_SEARCH_PLACE;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_SCAN_COUNT)) += 1.0;
     if (known)
@@ -1628,13 +1621,13 @@ static inline bool smallest_gap__search_side(array_double_1d work, array_double_
         behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
         {
-            smallest_gap__walk(work, tables, side, cell + (INT64_C(1) << ahead), INT64_C(1));
-            smallest_gap__walk(work, tables, side, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+            smallest_gap__walk(tables, work, pair, side, cell + (INT64_C(1) << ahead), INT64_C(1));
+            smallest_gap__walk(tables, work, pair, side, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
             return 1;
         }
         node = cell;
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
-        if (!gap__above_rail(tables, abscissa))
+        bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
+        if (!gap__above_rail(tables, pair, abscissa))
         {
             node = cell + INT64_C(1);
         }
@@ -1642,25 +1635,25 @@ static inline bool smallest_gap__search_side(array_double_1d work, array_double_
     else
     {
         (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = smallest_gap__LARGE_GAP;
-        node = smallest_gap__best_node(work, tables, side, smallest_gap__PROBE_STRIDE);
+        node = smallest_gap__best_node(tables, work, pair, side, smallest_gap__PROBE_STRIDE);
         if (node < INT64_C(0))
         {
-            node = smallest_gap__best_node(work, tables, side, INT64_C(1));
+            node = smallest_gap__best_node(tables, work, pair, side, INT64_C(1));
         }
         if (node < INT64_C(0))
         {
             return 0;
         }
     }
-    smallest_gap__walk(work, tables, side, node, INT64_C(1));
-    smallest_gap__walk(work, tables, side, node, -INT64_C(1));
+    smallest_gap__walk(tables, work, pair, side, node, INT64_C(1));
+    smallest_gap__walk(tables, work, pair, side, node, -INT64_C(1));
     return 1;
 }
 
 /* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
  * known; -1 if there is none.
  */
-static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, int64_t stride)
+static inline int64_t smallest_gap__best_node(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t stride)
 {
     int64_t scan;
     int64_t at;
@@ -1669,15 +1662,15 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
     double mismatch;
     double abscissa;
     int64_t found;
-    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     at = side + layout__SIDE_SEARCH_PLACE;
     found = -INT64_C(1);
     node = INT64_C(0);
     while(node < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
     {
-        bounds__node_gap(&gap, &mismatch, &abscissa, work, tables, at, node);
+        bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
         (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
-        if (gap__above_rail(tables, abscissa))
+        if (gap__above_rail(tables, pair, abscissa))
         {
             if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
             {
@@ -1686,7 +1679,7 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
                 found = node;
             }
         }
-        else if ((found >= INT64_C(0)) && bounds__leaves_rail(work, tables, at, node, INT64_C(1), abscissa))
+        else if ((found >= INT64_C(0)) && bounds__leaves_rail(tables, work, pair, at, node, INT64_C(1), abscissa))
         {
             return found;
         }

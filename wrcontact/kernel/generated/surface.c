@@ -3,14 +3,14 @@
 
 /* surface/curvature.py */
 static inline double curvature__profile_curvature(array_double_1d tables, int64_t table, double y);
-static inline double curvature__relative_curvature(array_double_1d tables, double y, double abscissa);
+static inline double curvature__relative_curvature(array_double_1d tables, int64_t pair, double y, double abscissa);
 static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend);
 
 /* surface/gap.py */
-static inline bool gap__above_rail(array_double_1d tables, double abscissa);
-static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
-static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y);
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y);
+static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double abscissa);
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
+static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
 
 /* surface/locus.py */
 static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll);
@@ -21,7 +21,7 @@ static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, i
 static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);
 static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
 static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
-static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y);
+static inline double locus__outline_x(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
 
 /* surface/rails.py */
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
@@ -64,12 +64,12 @@ static inline double curvature__profile_curvature(array_double_1d tables, int64_
 /* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
  * the source's eq. (6.5).
  */
-static inline double curvature__relative_curvature(array_double_1d tables, double y, double abscissa)
+static inline double curvature__relative_curvature(array_double_1d tables, int64_t pair, double y, double abscissa)
 {
     double wheel;
     double rail;
-    wheel = curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y);
-    rail = curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa);
+    wheel = curvature__profile_curvature(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE))), y);
+    rail = curvature__profile_curvature(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE))), abscissa);
     return 0.5 * (wheel + rail);
 }
 
@@ -125,11 +125,11 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
  */
 
 /* Whether the rail profile has a height at ``abscissa`` [m]. */
-static inline bool gap__above_rail(array_double_1d tables, double abscissa)
+static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double abscissa)
 {
     int64_t rail;
     bool result;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     result = (abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP)));
     return result;
 }
@@ -140,7 +140,7 @@ static inline bool gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
  * contact: its slope difference reads FOLDED.
  */
-static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
+static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
     double z;
     double slope;
@@ -153,9 +153,9 @@ static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatc
     double z_rail;
     double rail_slope;
     double rail_bend;
-    tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
-    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -172,7 +172,7 @@ static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatc
  * point, z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
  * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
  */
-static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y)
+static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
     double z;
     double slope;
@@ -189,9 +189,9 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
     double cos_roll;
     double lateral;
     double vertical;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, z, slope);
-    tables__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
+    tables__height_slope(&z_rail, &rail_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)));
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     height = ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi;
@@ -208,7 +208,7 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
  * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges,
  * not where.
  */
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y)
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
     double z;
     double slope;
@@ -225,10 +225,10 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     double vertical;
     double sin_phi;
     double cos_phi;
-    tables__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
-    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -467,7 +467,7 @@ static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track
 }
 
 /* Track coordinate x [m] of the outline at wheel abscissa ``y`` [m], from the middle of the wheelset. */
-static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y)
+static inline double locus__outline_x(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
     double z;
     double slope;
@@ -476,7 +476,7 @@ static inline double locus__outline_x(array_double_1d work, array_double_1d tabl
     double r;
     double lateral;
     double result;
-    tables__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));

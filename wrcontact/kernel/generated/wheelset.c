@@ -8,30 +8,29 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
 static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
 static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work);
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/compliant.py */
 static OUT_OF_LINE bool compliant__is_damped(array_double_1d tables);
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static OUT_OF_LINE bool compliant__follow_starts(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t patch, double factor);
 static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work);
 
 /* wheelset/elastic.py */
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm);
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right);
+static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/forces.py */
-static inline int64_t forces__clear_forces(array_double_1d work, int64_t forces);
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
 static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch);
 static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
@@ -51,7 +50,6 @@ static inline int64_t report__write_vector(array_double_1d work, int64_t out, in
 static inline int64_t report__first_omitted(array_double_1d tables, int64_t index);
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror);
 static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror);
-static inline int64_t report__clear_patch(array_double_1d work, int64_t out);
 static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
@@ -74,15 +72,15 @@ static inline double requested__next_load(array_double_1d work, int64_t support,
 static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
-static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll);
+static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
-static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work);
 static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
-static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work);
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
 static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
@@ -90,7 +88,7 @@ static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, in
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index, double friction);
-static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work);
+static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
 
 /* wheelset/side.py */
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
@@ -105,23 +103,23 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
 
 /* wheelset/step.py */
 static inline double step__support_height(array_double_1d work);
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
-static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll);
-static inline int64_t step__stand(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status);
-static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__step_row(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
-static inline int64_t step__step(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
-static inline int64_t step__step_many(int64_t count, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double rigid_roll);
+static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, double rigid_roll);
+static inline int64_t step__stand(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status);
+static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
+static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
+static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
 
 /* wheelset/trial.py */
 static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height);
 static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double left, double right, double height);
-static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
-static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll);
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_double_1d work, double left, double right, double height);
+static OUT_OF_LINE bool trial__turn_to(array_double_1d tables, array_double_1d work, double roll);
+static OUT_OF_LINE bool trial__turn_near(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
 
 
@@ -320,10 +318,10 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
  * how much lower the right one carries its load than the left one [m], whether both can carry
  * their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
     int64_t status;
-    if (!trial__turn_to(left_tables, right_tables, work, roll))
+    if (!trial__turn_to(tables, work, roll))
     {
         (*residual) = 0.0;
         (*satisfied) = 0;
@@ -333,12 +331,12 @@ static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satis
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
     if (flat == INT64_C(1))
     {
-        brackets__level_residual(residual, satisfied, &status, right_tables, left_tables, work, INT64_C(1), right, left);
+        brackets__level_residual(residual, satisfied, &status, tables, work, INT64_C(1), right, left);
         (*residual) = -(*residual);
     }
     else
     {
-        brackets__level_residual(residual, satisfied, &status, left_tables, right_tables, work, INT64_C(0), left, right);
+        brackets__level_residual(residual, satisfied, &status, tables, work, INT64_C(0), left, right);
     }
     (*result_2) = status;
     return 0;
@@ -347,11 +345,11 @@ static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satis
 /* Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
  * other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d flat_tables, array_double_1d steep_tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
+static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
 {
     double height;
     int64_t outcome;
-    (*status) = brackets__bracket_height(flat_tables, work, flat, flat_force);
+    (*status) = brackets__bracket_height(tables, work, flat, flat_force);
     if ((*status) > layout__UNLOADED)
     {
         (*residual) = 0.0;
@@ -359,7 +357,7 @@ static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* sati
         return 0;
     }
     height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
-    brackets__height_residual(residual, satisfied, &outcome, steep_tables, work, INT64_C(1) - flat, steep_force, height);
+    brackets__height_residual(residual, satisfied, &outcome, tables, work, INT64_C(1) - flat, steep_force, height);
     (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
     (*status) = int64_t_max(2, (*status), outcome);
     return 0;
@@ -368,14 +366,14 @@ static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* sati
 /* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
  * NOT_CONVERGED if there is none within ROLL_LIMIT.
  */
-static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
     double residual;
     bool satisfied;
     int64_t status;
     double reach;
     double value;
-    brackets__roll_residual(&residual, &satisfied, &status, left_tables, right_tables, work, roll, left, right, flat);
+    brackets__roll_residual(&residual, &satisfied, &status, tables, work, roll, left, right, flat);
     if (status > layout__UNLOADED)
     {
         return status;
@@ -396,7 +394,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = roll + reach;
-            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = value;
         }
         else
@@ -404,7 +402,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW));
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = roll - reach;
-            brackets__roll_residual(&value, &satisfied, &status, left_tables, right_tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
+            brackets__roll_residual(&value, &satisfied, &status, tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
             (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = value;
         }
         if (status > layout__UNLOADED)
@@ -419,7 +417,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d left_tables, a
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
  * from the rigid ``roll``.
  */
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right)
+static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, double roll, double left, double right)
 {
     int64_t flat;
     double residual;
@@ -428,7 +426,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     double end;
     double other;
     flat = brackets__flatter_side(work);
-    (*status) = brackets__enclose_roll(left_tables, right_tables, work, roll, left, right, flat);
+    (*status) = brackets__enclose_roll(tables, work, roll, left, right, flat);
     if ((*status) > layout__UNLOADED)
     {
         (*result_0) = roll;
@@ -439,7 +437,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
     {
         roll = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
         if ((*status) > layout__UNLOADED)
         {
             (*result_0) = roll;
@@ -462,7 +460,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
         if (roll != end)
         {
             roll = end;
-            brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
+            brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
         }
     }
     if (!satisfied)
@@ -474,7 +472,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
             other = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
         }
         roll = other;
-        brackets__roll_residual(&residual, &satisfied, status, left_tables, right_tables, work, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
     }
     if ((*status) <= layout__UNLOADED)
     {
@@ -500,7 +498,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
  */
 
 /* Both sides of the wheelset at the height and roll of the inputs; the outcome. */
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work)
 {
     double roll;
     double height;
@@ -509,40 +507,40 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d left_table
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     leaning__set_reference(work, height);
-    roll__place_both(work, left_tables, right_tables, roll);
+    roll__place_both(work, tables, roll);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
-    if (compliant__is_damped(right_tables))
+    if (compliant__is_damped(tables))
     {
-        rubbing__open_given_motion(left_tables, right_tables, work);
+        rubbing__open_given_motion(tables, work);
     }
-    if (!roll__search_both(work, left_tables, right_tables, compliant__follow_starts(left_tables, right_tables, work)))
+    if (!roll__search_both(work, tables, compliant__follow_starts(tables, work)))
     {
         return layout__OFF_PROFILE;
     }
-    status = compliant__load_at_height(left_tables, work, INT64_C(0), height);
-    outcome = compliant__load_at_height(right_tables, work, INT64_C(1), height);
+    status = compliant__load_at_height(tables, work, INT64_C(0), height);
+    outcome = compliant__load_at_height(tables, work, INT64_C(1), height);
     status = int64_t_max(2, status, outcome);
     return status;
 }
 
 /* Whether both smallest gaps could be followed from where they are known near the lateral shift. */
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static OUT_OF_LINE bool compliant__follow_starts(array_double_1d tables, array_double_1d work)
 {
     int64_t row;
     int64_t start;
     bool known;
-    row = roll__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
+    row = roll__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
     known = 0;
     if (row >= INT64_C(0))
     {
-        start = (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_RIGHT));
-        known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
+        start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
         if (known)
         {
-            known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+            known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
         }
     }
     return known;
@@ -648,16 +646,16 @@ static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t p
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
  * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, double roll, double left, double right)
 {
     int64_t status;
     double height;
     double move;
     double rigid_roll;
-    status = trial__estimate_approach(left_tables, work, INT64_C(0), left);
+    status = trial__estimate_approach(tables, work, INT64_C(0), left);
     if (status == layout__VALID)
     {
-        status = trial__estimate_approach(right_tables, work, INT64_C(1), right);
+        status = trial__estimate_approach(tables, work, INT64_C(1), right);
     }
     if (status != layout__VALID)
     {
@@ -665,22 +663,22 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         (*result_1) = status;
         return 0;
     }
-    elastic__first_estimate(&height, &move, left_tables, right_tables, work);
+    elastic__first_estimate(&height, &move, tables, work);
     rigid_roll = roll;
     roll += move;
-    if (!trial__turn_near(left_tables, right_tables, work, roll))
+    if (!trial__turn_near(tables, work, roll))
     {
         (*result_0) = roll;
         (*result_1) = layout__OFF_PROFILE;
         return 0;
     }
-    elastic__iterate(&roll, &status, left_tables, right_tables, work, roll, height, left, right);
+    elastic__iterate(&roll, &status, tables, work, roll, height, left, right);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
     if (status == layout__NOT_CONVERGED)
     {
-        brackets__bracket_roll(&roll, &status, left_tables, right_tables, work, rigid_roll, left, right);
+        brackets__bracket_roll(&roll, &status, tables, work, rigid_roll, left, right);
     }
     (*result_0) = roll;
     (*result_1) = status;
@@ -690,20 +688,20 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
 /* Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
  * its rail as far as estimated.
  */
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work)
 {
     int64_t right;
     double lever_left;
     double lever_right;
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    lever_left = side__side_lever(left_tables, work, INT64_C(0), INT64_C(0));
-    lever_right = side__side_lever(right_tables, work, INT64_C(1), INT64_C(0));
+    lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
+    lever_right = side__side_lever(tables, work, INT64_C(1), INT64_C(0));
     (*move) = 0.0;
     if (lever_left + lever_right < -elastic__LEAST_LEVER)
     {
         (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
     }
-    (*move) = pressed__limited((*move), elastic__LONGEST_MOVE / (*cspan_at(&right_tables, layout__TABLES_ARM)));
+    (*move) = pressed__limited((*move), elastic__LONGEST_MOVE / (*cspan_at(&tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
     (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
     return 0;
@@ -712,7 +710,7 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
 /* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
  * NOT_CONVERGED where it finds nothing.
  */
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll, double height, double left, double right)
+static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
     double arm;
     int64_t trial;
@@ -720,12 +718,12 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
     bool followed;
     int64_t status;
     int64_t index;
-    arm = (*cspan_at(&right_tables, layout__TABLES_ARM));
+    arm = (*cspan_at(&tables, layout__TABLES_ARM));
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(normal_contact__has_coarse_form(right_tables));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(normal_contact__has_coarse_form(tables));
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
         moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
@@ -751,7 +749,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             }
             /* the same place again, with patches, or with the smaller gap that was found */
         }
-        status = trial__balance_both(left_tables, right_tables, work, left, right, height);
+        status = trial__balance_both(tables, work, left, right, height);
         if (status > layout__UNLOADED)
         {
             (*result_0_0001) = roll;
@@ -771,7 +769,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         }
         if ((fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) < elastic__ELASTIC_SHARP) && (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__ELASTIC_SHARP))
         {
-            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && elastic__gaps_hold(left_tables, right_tables, work, roll))
+            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && elastic__gaps_hold(tables, work, roll))
             {
                 for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
                 {
@@ -794,7 +792,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
             (*result_1_0001) = layout__NOT_CONVERGED;
             return 0;
         }
-        if (!trial__turn_near(left_tables, right_tables, work, roll))
+        if (!trial__turn_near(tables, work, roll))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = layout__NOT_CONVERGED;
@@ -810,14 +808,14 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
  *
  * Between trials they are only followed: an answer is certified once.
  */
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
+static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll)
 {
     double left;
     double right;
     bool hold;
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    hold = trial__turn_to(left_tables, right_tables, work, roll);
+    hold = trial__turn_to(tables, work, roll);
     if (((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) != left) || ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) != right))
     {
         hold = 0;
@@ -905,11 +903,15 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm)
 static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d work)
 {
     bool rubbing;
+    int64_t i_1;
     int64_t index;
     double mirror;
     int64_t side;
     rubbing = requested__has_creep_forces(tables, work);
-    forces__clear_forces(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES);
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+    }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         mirror = (double)(INT64_C(2) * index - INT64_C(1));
@@ -925,10 +927,14 @@ static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d
 /* The forces on a wheel; with creep forces if its patches are ``rubbing``. */
 static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing)
 {
+    int64_t i_1;
     int64_t number_end;
     int64_t number;
     int64_t patch;
-    forces__clear_forces(work, side + layout__SIDE_SEARCH_FORCES);
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+    }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
@@ -947,24 +953,30 @@ static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool 
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t forces;
-    int64_t i;
+    int64_t i_1;
+    int64_t i_2;
+    int64_t i_3;
+    int64_t i_4;
     forces = patch + layout__PATCH_FORCES;
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(0))) = 0.0;
+    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, forces + i_1)) = 0.0;
+    }
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
     {
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i));
+        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_2));
     }
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) -= (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
     {
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i));
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i));
+        (*cspan_at(&work, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i_3));
     }
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
+    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+    }
     return INT64_C(0);
 }
 
@@ -1039,23 +1051,6 @@ static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, in
     (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -torque;
     (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__PATCH_SPEED))) * friction__creep_gain(work, patch);
     (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) + fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
-    return INT64_C(0);
-}
-
-/* No force, no moment and no power. */
-static inline int64_t forces__clear_forces(array_double_1d work, int64_t forces)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i)) = 0.0;
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i)) = 0.0;
-    }
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = 0.0;
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = 0.0;
     return INT64_C(0);
 }
 
@@ -1358,11 +1353,16 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror)
 {
     int64_t rank;
+    int64_t i_1;
     int64_t number_end;
     int64_t number;
+    int64_t i_2;
     for (rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
     {
-        report__clear_patch(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank);
+        for (i_1 = INT64_C(0); i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+        }
     }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
@@ -1370,23 +1370,15 @@ static inline int64_t report__report_patches(array_double_1d work, int64_t side,
         rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
         if ((rank == INT64_C(0)) && (number < layout__PATCH_LIMIT))
         {
-            report__clear_patch(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number);
+            for (i_2 = INT64_C(0); i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += INT64_C(1))
+            {
+                (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+            }
         }
         else if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
         {
             report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), mirror);
         }
-    }
-    return INT64_C(0);
-}
-
-/* No patch. */
-static inline int64_t report__clear_patch(array_double_1d work, int64_t out)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < layout__PATCH_OUTPUTS_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, out + i)) = 0.0;
     }
     return INT64_C(0);
 }
@@ -1695,7 +1687,7 @@ static inline double requested__next_load(array_double_1d work, int64_t support,
 /* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
  * moved little, or at those known near its lateral shift.
  */
-static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     double shift;
     double guess;
@@ -1707,7 +1699,7 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
     warm = 0;
     if (guess == 0.0)
     {
-        row = roll__nearest_start(right_tables, (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))), shift);
+        row = roll__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), shift);
         if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < rigid__NEAR_SHIFT)))
         {
             guess = (*cspan_at(&state, layout__STATE_ROLL));
@@ -1717,18 +1709,18 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
         }
         else if (row >= INT64_C(0))
         {
-            start = (int64_t)((*cspan_at(&right_tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-            guess = (*cspan_at(&right_tables, start + layout__START_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&right_tables, start + layout__START_RIGHT));
+            start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+            guess = (*cspan_at(&tables, start + layout__START_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
             warm = 1;
         }
     }
     leaning__set_reference(work, 0.0);
-    first_root__solve_roll(roll, status, work, left_tables, right_tables, guess, warm);
+    first_root__solve_roll(roll, status, work, tables, guess, warm);
     if (((*status) == layout__VALID) && leaning__is_leaning(work))
     {
-        rigid__find_leaning_roll(roll, status, left_tables, right_tables, work, (*roll));
+        rigid__find_leaning_roll(roll, status, tables, work, (*roll));
     }
     return 0;
 }
@@ -1736,7 +1728,7 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
 /* Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
  * on: both are sought together with the vertical shift.
  */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
+static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll)
 {
     int64_t i;
     double height;
@@ -1746,7 +1738,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
     {
         height = leaning__next_reference(work, leaning__RIGID_MET);
         leaning__set_reference(work, height);
-        first_root__solve_roll(&roll, &status, work, left_tables, right_tables, roll, 1);
+        first_root__solve_roll(&roll, &status, work, tables, roll, 1);
         if (status != layout__VALID)
         {
             (*result_0_0001) = roll;
@@ -1766,7 +1758,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
 }
 
 /* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
-static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
+static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll)
 {
     int64_t outcome;
     int64_t status;
@@ -1775,13 +1767,13 @@ static inline int64_t rigid__solve_rigid(array_double_1d left_tables, array_doub
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
     side__clear_side(work, layout__WORK_SIDES);
     side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
-    if (requested__is_requested(right_tables, INT64_C(0)))
+    if (requested__is_requested(tables, INT64_C(0)))
     {
-        status = side__solve_side(left_tables, work, INT64_C(0), requested__side_force(work, INT64_C(0)));
+        status = side__solve_side(tables, work, INT64_C(0), requested__side_force(work, INT64_C(0)));
     }
-    if (requested__is_requested(right_tables, INT64_C(1)))
+    if (requested__is_requested(tables, INT64_C(1)))
     {
-        outcome = side__solve_side(right_tables, work, INT64_C(1), requested__side_force(work, INT64_C(1)));
+        outcome = side__solve_side(tables, work, INT64_C(1), requested__side_force(work, INT64_C(1)));
         status = int64_t_max(2, status, outcome);
     }
     return status;
@@ -1816,14 +1808,14 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
  */
 
 /* The motion as the inputs give it, at the wheelset's pose. */
-static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work)
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    motion__open_motion(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
-    motion__open_motion(work, right_tables, right, 1.0);
-    motion__open_left_rail(work, left_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    motion__open_right_rail(work, right_tables, right + layout__MOTION_RAIL);
+    motion__open_motion(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
+    motion__open_motion(work, tables, right, 1.0);
+    motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
+    motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
     return INT64_C(0);
 }
@@ -1831,7 +1823,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d left_tables, ar
 /* Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
  * velocity and roll rate are given, otherwise they follow from contact with both rails.
  */
-static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
     int64_t side;
@@ -1842,11 +1834,11 @@ static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_d
     {
         return INT64_C(0);
     }
-    rubbing__open_given_motion(left_tables, right_tables, work);
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+    rubbing__open_given_motion(tables, work);
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
     {
-        rubbing__constrain_side(left_tables, work, INT64_C(0));
-        rubbing__constrain_side(right_tables, work, INT64_C(1));
+        rubbing__constrain_side(tables, work, INT64_C(0));
+        rubbing__constrain_side(tables, work, INT64_C(1));
         motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
@@ -1857,7 +1849,7 @@ static inline int64_t rubbing__move_patches(array_double_1d left_tables, array_d
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
-            if (((int64_t)((*cspan_at(&right_tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+            if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
             {
                 creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
             }
@@ -2005,12 +1997,12 @@ static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, in
 }
 
 /* Creep forces of all patches, if there are any. */
-static inline int64_t rubbing__rub_patches(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work)
+static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work)
 {
-    if (requested__has_creep_forces(right_tables, work))
+    if (requested__has_creep_forces(tables, work))
     {
-        rubbing__rub_side(left_tables, work, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
-        rubbing__rub_side(right_tables, work, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
+        rubbing__rub_side(tables, work, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
+        rubbing__rub_side(tables, work, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
     }
     return INT64_C(0);
 }
@@ -2049,6 +2041,7 @@ static inline double rubbing__open_rolling(array_double_1d work, array_double_1d
 {
     double sliding;
     double factor;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     sliding = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
     (*cspan_at(&work, patch + layout__PATCH_FRICTION)) = friction__patch_friction(tables, friction, (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)), sliding);
@@ -2092,6 +2085,7 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
  */
 static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift)
 {
+    int64_t pair;
     int64_t place;
     int64_t point;
     double z;
@@ -2109,11 +2103,12 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
     double ahead;
     double z_track;
     bool touches;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
-    frame__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, place, y, aside, shift);
+    frame__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, pair, place, y, aside, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
+    r = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z;
     lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     x_track = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
@@ -2125,10 +2120,10 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
@@ -2138,22 +2133,22 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
         (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    frame__measure_contact(work, tables);
+    frame__measure_contact(tables, work, pair);
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * curvature__relative_curvature(tables, pair, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     }
     touches = 1;
     if (fabs(mismatch) >= side__PARALLEL)
     {
-        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y))
+        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y))
         {
             touches = 0;
         }
-        if (side__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        if (side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
         {
             touches = 0;
         }
@@ -2182,13 +2177,15 @@ static inline int64_t side__clear_side(array_double_1d work, int64_t side)
  */
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed)
 {
+    int64_t pair;
     int64_t side;
     double penetration;
     bool satisfied;
     int64_t number_end;
     int64_t number;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, side, force, prescribed);
+    normal_contact__solve_normal(&penetration, count, &satisfied, tables, work, pair, side, force, prescribed);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
     if ((!satisfied) && ((*count) == INT64_C(0)))
     {
@@ -2203,14 +2200,14 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
-        patch_places__place_patches(work, tables, side);
+        patch_places__place_patches(tables, work, pair, side);
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE)
         {
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
             {
                 cut__cut_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
-                patch_places__place_strips(work, tables, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+                patch_places__place_strips(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
@@ -2272,11 +2269,13 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
  */
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach)
 {
+    int64_t pair;
     int64_t side;
     double height;
     int64_t deepest;
     double aside;
     double shift;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     side__clear_side(work, side);
@@ -2286,7 +2285,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    pressed_regions__touching_shift(&aside, &shift, work, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
+    pressed_regions__touching_shift(&aside, &shift, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     side__describe_contact(tables, work, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
     pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
     return layout__VALID;
@@ -2297,17 +2296,19 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
  */
 static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height)
 {
+    int64_t pair;
     int64_t kept;
     int64_t count;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
     count = INT64_C(0);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
     {
-        count = deep_points__follow_overlaps(work, tables, kept, side + layout__SIDE_SEARCH_PLACE, height);
+        count = deep_points__follow_overlaps(tables, work, pair, kept, side + layout__SIDE_SEARCH_PLACE, height);
     }
     if (count == INT64_C(0))
     {
-        count = overlaps__find_overlaps(work, tables, side, height);
+        count = overlaps__find_overlaps(tables, work, pair, side, height);
     }
     deep_points__keep_points(work, kept);
     return count;
@@ -2318,6 +2319,7 @@ static inline int64_t side__find_points(array_double_1d work, array_double_1d ta
  */
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count)
 {
+    int64_t pair;
     int64_t at;
     double total;
     double weight;
@@ -2325,6 +2327,7 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
     int64_t block;
     double stiffness;
     double lever;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total = 0.0;
     weight = 0.0;
@@ -2333,9 +2336,9 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
         stiffness = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_COS));
         weight += stiffness;
-        total += stiffness * gap__gap_per_roll(work, tables, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
+        total += stiffness * gap__gap_per_roll(tables, work, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
     }
-    lever = gap__gap_per_roll(work, tables, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    lever = gap__gap_per_roll(tables, work, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     if (weight > 0.0)
     {
         lever = total / weight;
@@ -2356,23 +2359,23 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
  */
 
 /* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
-static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t status;
-    status = requested__check_inputs(work, right_tables);
+    status = requested__check_inputs(work, tables);
     if (status != layout__VALID)
     {
         return status;
     }
     requested__release_friction(work);
-    status = step__solve_wheelset(left_tables, right_tables, work, state);
-    if ((status <= layout__UNLOADED) && requested__carries_friction(right_tables, work))
+    status = step__solve_wheelset(tables, work, state);
+    if ((status <= layout__UNLOADED) && requested__carries_friction(tables, work))
     {
-        status = step__solve_with_friction(left_tables, right_tables, work, state, status);
+        status = step__solve_with_friction(tables, work, state, status);
     }
     if (status <= layout__UNLOADED)
     {
-        report__report(right_tables, work);
+        report__report(tables, work);
     }
     return status;
 }
@@ -2380,7 +2383,7 @@ static inline int64_t step__evaluate(array_double_1d left_tables, array_double_1
 /* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
  * NOT_CONVERGED where friction jams a wheel.
  */
-static inline int64_t step__solve_with_friction(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state, int64_t status)
+static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status)
 {
     int64_t i;
     int64_t outcome;
@@ -2392,7 +2395,7 @@ static inline int64_t step__solve_with_friction(array_double_1d left_tables, arr
             break;
         }
         requested__share_load(work);
-        outcome = step__solve_wheelset(left_tables, right_tables, work, state);
+        outcome = step__solve_wheelset(tables, work, state);
     }
     if ((outcome <= layout__UNLOADED) && (!requested__is_load_met(work, requested__LOAD_MISSED)))
     {
@@ -2402,61 +2405,61 @@ static inline int64_t step__solve_with_friction(array_double_1d left_tables, arr
 }
 
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
-static inline int64_t step__solve_wheelset(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t status;
-    status = step__stand(left_tables, right_tables, work, state);
+    status = step__stand(tables, work, state);
     if (status <= layout__UNLOADED)
     {
-        rubbing__move_patches(left_tables, right_tables, work);
-        rubbing__rub_patches(left_tables, right_tables, work);
-        forces__sum_forces(right_tables, work);
+        rubbing__move_patches(tables, work);
+        rubbing__rub_patches(tables, work);
+        forces__sum_forces(tables, work);
     }
     return status;
 }
 
 /* Where the wheelset stands, and the patches of both wheels: rigid, elastic or compliant; the status. */
-static inline int64_t step__stand(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, array_double_1d state)
+static inline int64_t step__stand(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     double roll;
     int64_t status;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT)
     {
-        status = compliant__solve_compliant(left_tables, right_tables, work);
+        status = compliant__solve_compliant(tables, work);
         return status;
     }
-    rigid__find_roll(&roll, &status, left_tables, right_tables, work, state);
+    rigid__find_roll(&roll, &status, tables, work, state);
     if (status != layout__VALID)
     {
         return status;
     }
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_RIGID)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_RIGID)
     {
-        status = rigid__solve_rigid(left_tables, right_tables, work, roll);
+        status = rigid__solve_rigid(tables, work, roll);
     }
     if (status <= layout__UNLOADED)
     {
         rigid__keep_roll(work, state, roll);
     }
-    if ((int64_t)((*cspan_at(&right_tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC)
     {
-        status = step__elastic_from_rigid(left_tables, right_tables, work, roll);
+        status = step__elastic_from_rigid(tables, work, roll);
     }
     return status;
 }
 
 /* Elastic contact: the height and roll at which both wheels carry their loads; the outcome. */
-static inline int64_t step__elastic_from_rigid(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll)
+static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, double rigid_roll)
 {
     double roll;
     int64_t status;
-    elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+    elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
     if ((status <= layout__UNLOADED) && leaning__is_leaning(work))
     {
-        step__meet_leaning(&roll, &status, left_tables, right_tables, work, rigid_roll);
+        step__meet_leaning(&roll, &status, tables, work, rigid_roll);
     }
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = step__support_height(work);
@@ -2474,7 +2477,7 @@ static inline double step__support_height(array_double_1d work)
 /* Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
  * shift; the equilibrium for the rigid height as reference is known.
  */
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double rigid_roll)
+static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double rigid_roll)
 {
     double roll;
     int64_t i;
@@ -2486,14 +2489,14 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
     {
         height = leaning__next_reference(work, leaning__ELASTIC_MET);
         leaning__set_reference(work, height);
-        roll__place_both(work, left_tables, right_tables, rigid_roll);
-        if (!trial__turn_to(left_tables, right_tables, work, rigid_roll))
+        roll__place_both(work, tables, rigid_roll);
+        if (!trial__turn_to(tables, work, rigid_roll))
         {
             (*result_0) = roll;
             (*result_1_0001) = layout__OFF_PROFILE;
             return 0;
         }
-        elastic__solve_elastic(&roll, &status, left_tables, right_tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+        elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
         if (status > layout__UNLOADED)
         {
             (*result_0) = roll;
@@ -2515,11 +2518,12 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
 /* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
  * before are not evaluated again.
  */
-static inline int64_t step__step_row(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
+static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
     bool changed;
     int64_t i;
     int64_t size;
+    int64_t first;
     int64_t status;
     changed = !((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0);
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
@@ -2534,16 +2538,17 @@ static inline int64_t step__step_row(array_double_1d left_tables, array_double_1
     if (changed)
     {
         (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(0);
-        status = step__evaluate(left_tables, right_tables, workspace, state);
+        status = step__evaluate(tables, workspace, state);
     }
     if (status <= layout__UNLOADED)
     {
         (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(1);
         (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
-        size = outline__row_size(right_tables);
+        size = outline__row_size(tables);
+        first = layout__WORK_OUTPUTS;
         for (i = INT64_C(0); i < size; i += INT64_C(1))
         {
-            (*cspan_at(&outputs, size * row + i)) = (*cspan_at(&workspace, layout__WORK_OUTPUTS + i));
+            (*cspan_at(&outputs, size * row + i)) = (*cspan_at(&workspace, first + i));
         }
     }
     return status;
@@ -2554,20 +2559,20 @@ static inline int64_t step__step_row(array_double_1d left_tables, array_double_1
  * Outputs keep their values unless the status is VALID or UNLOADED. ``state`` holds where the next roll
  * search starts; it never changes an answer.
  */
-static inline int64_t step__step(array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
+static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
 {
     int64_t result;
-    result = step__step_row(left_tables, right_tables, state, workspace, inputs, outputs, INT64_C(0));
+    result = step__step_row(tables, state, workspace, inputs, outputs, INT64_C(0));
     return result;
 }
 
 /* Evaluate ``count`` rows of inputs, one after the other. */
-static inline int64_t step__step_many(int64_t count, array_double_1d left_tables, array_double_1d right_tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
+static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
 {
     int64_t row;
     for (row = INT64_C(0); row < count; row += INT64_C(1))
     {
-        (*cspan_at(&statuses, row)) = (double)(step__step_row(left_tables, right_tables, state, workspace, inputs, outputs, row));
+        (*cspan_at(&statuses, row)) = (double)(step__step_row(tables, state, workspace, inputs, outputs, row));
     }
     return INT64_C(0);
 }
@@ -2585,8 +2590,10 @@ static inline int64_t step__step_many(int64_t count, array_double_1d left_tables
 /* Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome. */
 static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
+    int64_t pair;
     int64_t support;
     int64_t status;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     status = side__touch_side(tables, work, index);
     (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = 0.0;
@@ -2595,7 +2602,7 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(work, tables, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(tables, work, pair, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         }
     }
     return status;
@@ -2644,15 +2651,15 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
 }
 
 /* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
-static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double left, double right, double height)
+static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_double_1d work, double left, double right, double height)
 {
     int64_t outcome;
     int64_t status;
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
-    status = trial__balance_side(left_tables, work, INT64_C(0), left, height);
+    status = trial__balance_side(tables, work, INT64_C(0), left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = trial__balance_side(right_tables, work, INT64_C(1), right, height);
+        outcome = trial__balance_side(tables, work, INT64_C(1), right, height);
         status = int64_t_max(2, status, outcome);
     }
     return status;
@@ -2661,17 +2668,17 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d left_tables, arra
 /* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; whether both wheels are
  * above their rails.
  */
-static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
+static OUT_OF_LINE bool trial__turn_to(array_double_1d tables, array_double_1d work, double roll)
 {
     bool known;
     bool result;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
+    known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
     }
-    result = roll__search_both(work, left_tables, right_tables, known);
+    result = roll__search_both(work, tables, known);
     return result;
 }
 
@@ -2679,18 +2686,18 @@ static OUT_OF_LINE bool trial__turn_to(array_double_1d left_tables, array_double
  * be followed; whether both wheels are above their rails.  Whether there is a smaller gap is left
  * open.
  */
-static OUT_OF_LINE bool trial__turn_near(array_double_1d left_tables, array_double_1d right_tables, array_double_1d work, double roll)
+static OUT_OF_LINE bool trial__turn_near(array_double_1d tables, array_double_1d work, double roll)
 {
     bool known;
     roll__turn_both(work, roll);
-    known = roll__follow_side(work, left_tables, layout__WORK_SIDES);
+    known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(work, right_tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
     }
     if (!known)
     {
-        known = roll__search_both(work, left_tables, right_tables, 0);
+        known = roll__search_both(work, tables, 0);
     }
     return known;
 }

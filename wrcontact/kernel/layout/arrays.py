@@ -2,8 +2,8 @@
 
 ``setup``    from which the tables are prepared.
 ``tables``   what is fixed during a simulation: settings at the head, then the tables that they point to.
-             Each side has its tables; where both sides are equal they are one array.  Settings of the whole
-             wheelset are read from those of the right side, as are the starts.
+             Each side has a pair of wheel and rail; both pairs point to the same tables where wheels or rails
+             are equal.
 ``work``     the workspace of one step.
 ``state``    what one step leaves for the next.
 """
@@ -16,7 +16,7 @@ from .creep import Rolling, RollingTable
 from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,
                     SolvedStrips, StripProblem)
-from .record import Float, To, record, size
+from .record import WIDTH, Float, To, record, size
 from .search import RollTrials, Scan, Sides, Starts
 
 
@@ -98,23 +98,40 @@ class Setup:
     array = "setup"
     parameters: Parameters
     resolution: Resolution
-    height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
+    left_radius: float              # nominal radius of the left wheel [m]
+    left_inclination: float         # of the left rail [1]
     absent: float                   # not a number
+    side: int                       # whose profiles cannot be used: 0 left, 1 right; the rest says why
+    reached: float                  # where the inner side of the rail ends [m]
+    depth: float                    # how deep the gauge is measured, in the same frame [m]
+    width: float                    # of the wheel [m]
+
+
+@record
+class Pair:
+    """A wheel over its rail, both as those of a right side."""
+
+    tables: To("Tables")            # which it is in
+    radius: float                   # nominal radius of the wheel [m]
+    wheel: To(Profile)
+    wheel_curvature: To(CurvatureTable)
+    rail_y: float                   # track coordinate of the rail's highest point [m]
+    rail: To(Profile)
+    rail_curvature: To(CurvatureTable)
+    rail_arc: To(CubicTable)        # arc length of the rail from its start [m] over its abscissa
+    rail_at_arc: To(CubicTable)     # and the abscissa over the arc length
+    scan: To(Scan)                  # raster over both
 
 
 @record
 class Tables:
     array = "tables"
-    radius: float                   # nominal radius [m]
+    pairs: Pair * 2                 # left and right side
     height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
     arm: float                      # half the distance of the running circles [m]
-    rail_y: float                   # track coordinate of the right rail's highest point [m]
     contact_modulus: float          # E* [Pa]
     lateral_limit: float            # largest |lateral shift| [m]
     yaw_limit: float                # largest |yaw| [rad]
-    wheel: To(Profile)
-    rail: To(Profile)
-    scan: To(Scan)
     hertz: To(HertzTable)
     normal_model: int               # one of MODEL_...
     longitudinal: int               # one of LONGITUDINAL_...
@@ -131,10 +148,6 @@ class Tables:
     stations: int                   # stations of an outline; where it then lies is told in outline.py
     separation: int                 # one of SEPARATION_...
     lateral: int                    # one of LATERAL_...
-    wheel_curvature: To(CurvatureTable)
-    rail_curvature: To(CurvatureTable)
-    rail_arc: To(CubicTable)        # arc length of the rail from its start [m] over its abscissa
-    rail_at_arc: To(CubicTable)     # and the abscissa over the arc length
     mode: int                       # one of MODE_...
     load: int                       # one of LOAD_...
     tangential: int                 # one of TANGENTIAL_...
@@ -189,25 +202,11 @@ WORK_SIZE: Final[int] = size(Work)
 STATE_SIZE: Final[int] = size(State)
 SETTING_COUNT: Final[int] = size(Tables)
 SETUP_SIZE: Final[int] = size(Setup)
-PARAMETERS_SIZE: Final[int] = size(Parameters)
 ROLLING_TABLE_SIZE: Final[int] = size(RollingTable)
-
-
-def _offsets(prefix, kind):
-    """{constant: place} of the fields of a record class, for what reads the arrays by index."""
-    return {f"{prefix}_{name.lstrip('_').upper()}": getattr(kind, name).offset // 8
-            for name, _ in kind._fields_}
-
-
-globals().update(_offsets("IN", Inputs))
-globals().update(_offsets("OUT", Outputs))
-globals().update(_offsets("SIDE", SideOutputs))
-globals().update(_offsets("PATCH_OUTPUTS", PatchOutputs))
-globals().update(_offsets("SET", Tables))
-globals().update(_offsets("SETUP", Setup))
-globals().update(_offsets("PARAMETERS", Parameters))
-globals().update(_offsets("STATE", State))
-globals().update(_offsets("WORK", Work))
-OUT_RIGHT = OUT_LEFT + size(SideOutputs)  # noqa: F821
 SIDE_SIZE, PATCH_OUTPUTS_SIZE = size(SideOutputs), size(PatchOutputs)
-SET_PENETRATION_LEFT, SET_PENETRATION_RIGHT = SET_PENETRATION, SET_PENETRATION + 1  # noqa: F821
+OUT_RIGHT = Outputs.left.offset // WIDTH + SIDE_SIZE
+
+# where inputs and outputs are, for what reads their arrays by index: IN_YAW, OUT_ROLL, SIDE_AREA
+for _prefix, _kind in (("IN", Inputs), ("OUT", Outputs), ("SIDE", SideOutputs)):
+    globals().update({f"{_prefix}_{name.upper()}": getattr(_kind, name).offset // WIDTH
+                      for name, _ in _kind._fields_})

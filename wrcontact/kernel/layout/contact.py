@@ -79,6 +79,19 @@ class CubicTable:
 
 
 @record
+class Meeting:
+    """Where a normal of the rail meets the wheel."""
+
+    wheel: float                    # wheel abscissa [m]
+    overlap: float                  # there [m]; 0 where they do not meet, and the rest is of no use,
+    rise: float                     # and its derivatives along the rail's arc [-, 1/m]
+    rate: float
+    z: float                        # height, slope and second derivative of the wheel's profile [m, -, 1/m]
+    slope: float
+    bend: float
+
+
+@record
 class Place:
     """Where a right wheel is placed over its rail, as :mod:`locus` reads it: in the frame that moves with the
     rail, in which the rail is in its nominal place."""
@@ -106,8 +119,7 @@ class Place:
     reference: float                # the vertical shift for which the place holds [m]
     gap_count: float                # evaluations of its vertical gap since the workspace was made
     node_count: float               # and of the gap along a normal
-    gap_count: float                # evaluations of its vertical gap since the workspace was made
-    node_count: float               # and of the gap along a normal
+    meeting: Meeting                # the last one
 
 
 PLACE_SIZE: Final[int] = size(Place)
@@ -158,10 +170,9 @@ class Frame:
     blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
 
 
-FRAME_SIZE: Final[int] = size(Frame)
 #: The numbers of a frame that is set aside while another one is open: one for each region, and the contact
 #: point's.
-KeptFrame = run(FRAME_SIZE)
+KeptFrame = run(size(Frame))
 KeptFrames = KeptFrame * (REGION_LIMIT + 1)
 
 
@@ -215,10 +226,8 @@ class Region:
     x_track: float                  # track coordinate x of the minimum [m]
     strip: int                      # the strip of the solved patches at its minimum
     solve_count: float              # of the first region: iterations of the force solve
-    solve_count: float              # of the first region: iterations of the force solve
 
 
-REGION_SIZE: Final[int] = size(Region)
 #: The loaded regions of a wheel.
 Regions = Region * REGION_LIMIT
 

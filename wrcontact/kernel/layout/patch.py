@@ -140,7 +140,6 @@ class Patch:
     forces: Forces
 
 
-PATCH_SIZE: Final[int] = size(Patch)
 Patches = Patch * SOLVED_PATCH_LIMIT
 
 

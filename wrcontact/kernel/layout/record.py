@@ -23,6 +23,8 @@ import ctypes
 import numpy
 
 Float = ctypes.c_double
+#: The record classes by name.
+CLASSES = {}
 #: Length of a run of which only the tables themselves know the end.
 OPEN = 1_000_000
 WIDTH = ctypes.sizeof(Float)
@@ -71,16 +73,18 @@ def record(cls):
     names = {name: converted("_" + name, READ[kind]) for name, kind in scalars.items() if kind in READ}
     names |= {name: pointed("_" + name, kind) for name, kind in targets.items()}
     ends = [kind for _, kind in fields[-1:]]
-    return type(cls.__name__, (Record,),
+    made = type(cls.__name__, (Record,),
                 {"__slots__": ("raw",) if hasattr(cls, "array") else (), "__doc__": cls.__doc__,
                  "__module__": cls.__module__, "array": getattr(cls, "array", None),
                  "scalars": scalars, "targets": targets, "_fields_": fields, **names,
                  "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends)})
+    CLASSES[cls.__name__] = made
+    return made
 
 
 class To:
     """The type of a field that says how far from the beginning of its own record
-    another, of ``kind``, begins."""
+    another, of ``kind``, begins; ``kind`` is its class, or the name of one that follows."""
 
     def __init__(self, kind):
         self.kind = kind
@@ -88,7 +92,11 @@ class To:
 
 def pointed(name, kind):
     """A field that reads as the record at the offset that it holds, and is written as an offset."""
-    return property(lambda self: kind.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name))),
+    def pointed_at(self):
+        found = CLASSES[kind] if isinstance(kind, str) else kind
+        return found.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name)))
+
+    return property(pointed_at,
                     lambda self, value: setattr(self, name,
                                                 float(offset(value, self) if isinstance(value, Record)
                                                       else value)))
@@ -118,6 +126,16 @@ def converted(name, read):
 def size(kind):
     """How many numbers a record is."""
     return ctypes.sizeof(kind) // WIDTH
+
+
+def copy(record, to):
+    """Write all numbers of a record to another of its size."""
+    ctypes.memmove(ctypes.addressof(to), ctypes.addressof(record), ctypes.sizeof(record))
+
+
+def clear(record):
+    """Make all numbers of a record zero."""
+    ctypes.memset(ctypes.addressof(record), 0, ctypes.sizeof(record))
 
 
 def offset(part, whole):

@@ -62,8 +62,8 @@ int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, dou
     const array_double_1d work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
     const array_double_1d state = span_of(work_t.data + layout__WORK_SIZE, layout__STATE_SIZE);
     const array_double_1d inputs = span_of(state.data + layout__STATE_SIZE, layout__INPUT_COUNT);
-    const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, outline__row_size(handle->right_tables));
-    const wrcontact_handle own = {handle->left_tables, handle->right_tables, state, work, inputs, outputs};
+    const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, outline__row_size(handle->tables));
+    const wrcontact_handle own = {handle->tables, state, work, inputs, outputs};
     memcpy(state.data, handle->state.data, layout__STATE_SIZE * sizeof(double));
     memcpy(inputs.data, handle->inputs.data, layout__INPUT_COUNT * sizeof(double));
     if (state.data[layout__STATE_WARM] == 1.0 && isfinite(inputs.data[layout__IN_ROLL_GUESS]))
@@ -75,7 +75,7 @@ int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, dou
     {
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        const bool reported = derivative_wheelset_rules__differentiate_t(handle->left_tables, handle->right_tables, work, work_t) == 0;
+        const bool reported = derivative_wheelset_rules__differentiate_t(handle->tables, work, work_t) == 0;
         memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
         if (!reported || !all_finite(rates, outputs.shape[0]))
             difference(&own, handle, seed, rates);

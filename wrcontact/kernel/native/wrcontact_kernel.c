@@ -9,15 +9,14 @@
 
 int wrcontact_step(const wrcontact_handle *handle)
 {
-    return (int)step__step(handle->left_tables, handle->right_tables, handle->state, handle->workspace, handle->inputs,
-                           handle->outputs);
+    return (int)step__step(handle->tables, handle->state, handle->workspace, handle->inputs, handle->outputs);
 }
 
 int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *inputs, double *outputs, double *statuses)
 {
-    return (int)step__step_many(count, handle->left_tables, handle->right_tables, handle->state, handle->workspace,
+    return (int)step__step_many(count, handle->tables, handle->state, handle->workspace,
                                 span_of(inputs, count * layout__INPUT_COUNT),
-                                span_of(outputs, count * outline__row_size(handle->right_tables)),
+                                span_of(outputs, count * outline__row_size(handle->tables)),
                                 span_of(statuses, count));
 }
 

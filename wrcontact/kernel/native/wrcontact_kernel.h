@@ -16,11 +16,9 @@
 #  endif
 #endif
 
-/* The arrays of one wheelset.  Only tables and inputs are left as they are.  Where both sides are equal their tables are one
- * array; settings of the whole wheelset are read from those of the right side. */
+/* The arrays of one wheelset.  Only tables and inputs are left as they are. */
 typedef struct {
-    array_double_1d left_tables;
-    array_double_1d right_tables;
+    array_double_1d tables;
     array_double_1d state;
     array_double_1d workspace;
     array_double_1d inputs;

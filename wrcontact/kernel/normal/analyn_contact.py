@@ -14,7 +14,7 @@ from typing import Final
 from ..contact.deep_points import keep_deepest
 from ..contact.frame import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..layout import REGION_LIMIT, Contact, SideSearch, Tables
+from ..layout import REGION_LIMIT, Contact, Pair, SideSearch
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
 from .nodes import covered, prepare_regions
@@ -28,17 +28,17 @@ COVER_REPEATS: Final[int] = 6
 ENLARGED: Final[float] = 1.4
 
 
-def analyn_contact(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
+def analyn_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
     whether the force is satisfied."""
-    penetration, count, satisfied = solve_analyn(tables, contact, side, force, prescribed)
+    penetration, count, satisfied = solve_analyn(pair, contact, side, force, prescribed)
     if satisfied and contact.filling:
-        locate_along_track(tables, contact.frame, contact.regions, count)
+        locate_along_track(pair, contact.frame, contact.regions, count)
         fill_from_nodes(contact, side, count)
     return penetration, count, satisfied
 
 
-def solve_analyn(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
+def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
     is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
     stands."""
@@ -47,49 +47,49 @@ def solve_analyn(tables: Tables, contact: Contact, side: SideSearch, force: floa
     if isfinite(prescribed):
         by_penetration = True
     if contact.frame.pressed:
-        penetration, count, satisfied = solve_estimated(tables, contact, contact.frame.depth, force,
+        penetration, count, satisfied = solve_estimated(pair, contact, contact.frame.depth, force,
                                                         by_penetration)
         return penetration, count, satisfied
     if not by_penetration:
-        penetration = first_penetration(tables, contact, force)
+        penetration = first_penetration(pair, contact, force)
     count = 0
     satisfied = False
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
-        if sink_wheel(tables, contact.frame, contact.overlap, side, estimate) == 0:
+        if sink_wheel(pair, contact.frame, contact.overlap, side, estimate) == 0:
             # it overlaps most at the end of a profile
             return penetration, 0, False
-        penetration, count, satisfied = solve_estimated(tables, contact, estimate, force, by_penetration)
+        penetration, count, satisfied = solve_estimated(pair, contact, estimate, force, by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, satisfied
 
 
-def solve_estimated(tables: Tables, contact: Contact, estimate: float, force: float, by_penetration: bool):
+def solve_estimated(pair: Pair, contact: Contact, estimate: float, force: float, by_penetration: bool):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
     value: whether the force is satisfied."""
-    count = gather_regions(tables, contact, estimate)
-    penetration, satisfied = solve_fine(tables, contact, count, force, estimate, by_penetration)
+    count = gather_regions(pair, contact, estimate)
+    penetration, satisfied = solve_fine(pair, contact, count, force, estimate, by_penetration)
     if not satisfied and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         keep_deepest(contact.overlap)
-        count = gather_regions(tables, contact, estimate)
-        penetration, satisfied = solve_fine(tables, contact, count, force, estimate, by_penetration)
+        count = gather_regions(pair, contact, estimate)
+        penetration, satisfied = solve_fine(pair, contact, count, force, estimate, by_penetration)
     return penetration, count, satisfied
 
 
-def gather_regions(tables: Tables, contact: Contact, penetration: float):
+def gather_regions(pair: Pair, contact: Contact, penetration: float):
     """Open the regions where the wheel overlaps its rail, with their first local penetrations; their
     number."""
     for i in range(REGION_LIMIT):
         contact.regions[i].width_penetration = 0.0
         contact.regions[i].slant = 0.0
-    count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap)
+    count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
     start_penetrations(contact.regions, count, penetration)
     return count
 
 
-def solve_fine(tables: Tables, contact: Contact, count: int, force: float, penetration: float,
+def solve_fine(pair: Pair, contact: Contact, count: int, force: float, penetration: float,
                by_penetration: bool):
     """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
     the force is satisfied."""
@@ -97,8 +97,8 @@ def solve_fine(tables: Tables, contact: Contact, count: int, force: float, penet
     enlarge = 1.0
     satisfied = False
     for repeat in range(COVER_REPEATS):
-        prepare_regions(tables, contact, count, enlarge)
-        penetration, satisfied = solve_penetrations(tables, contact.regions, contact.nodes, count, force,
+        prepare_regions(pair, contact, count, enlarge)
+        penetration, satisfied = solve_penetrations(pair.tables, contact.regions, contact.nodes, count, force,
                                                     start, by_penetration)
         if not satisfied:
             return start, satisfied

@@ -4,7 +4,7 @@ result."""
 from typing import Final
 
 from ..contact.frame import open_contact_region
-from ..layout import Contact, Regions, Tables
+from ..layout import Contact, Pair, Regions
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from ..contact.widths import measure_widths
 
@@ -23,7 +23,7 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
     return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
 
 
-def estimate_penetration(tables: Tables, contact: Contact, force: float):
+def estimate_penetration(pair: Pair, contact: Contact, force: float):
     """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
     penetration.
 
@@ -31,25 +31,25 @@ def estimate_penetration(tables: Tables, contact: Contact, force: float):
     """
     region = contact.regions[0]
     A = 0.5 * region.curvature
-    guess = guess_penetration(force, A, tables.contact_modulus)
-    measure_widths(tables, contact, region, guess)
+    guess = guess_penetration(force, A, pair.tables.contact_modulus)
+    measure_widths(pair, contact, region, guess)
     width = 0.5 * (region.width_low + region.width_high)
     B = FLOOR * A
     if guess > CEILING * A * width * width:
         B = CEILING * A
     elif guess > B * width * width:
         B = guess / (width * width)
-    one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, B)
-    stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
+    one_alpha, one_beta, nr = hertz_coefficients(pair.tables.hertz, A, B)
+    stiffness = hertz_stiffness(one_beta, nr, B, pair.tables.contact_modulus)
     return (force / stiffness) ** (2.0 / 3.0)
 
 
-def first_penetration(tables: Tables, contact: Contact, force: float):
+def first_penetration(pair: Pair, contact: Contact, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
-    open_contact_region(tables, contact.frame, contact.regions[0])
+    open_contact_region(pair.tables, contact.frame, contact.regions[0])
     region = contact.regions[0]
     region.width_penetration = 0.0
-    return estimate_penetration(tables, contact, force / region.share)
+    return estimate_penetration(pair, contact, force / region.share)
 
 
 def start_penetrations(regions: Regions, count: int, penetration: float):

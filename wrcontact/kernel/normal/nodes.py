@@ -16,7 +16,7 @@ from ..contact.traces import start_traces
 from ..contact.widths import measure_widths
 from ..layout import (LATERAL_ADAPTIVE, LOAD_VERTICAL, NODE_LIMIT, NODE_MIDDLE, RAIL,
                       SEPARATION_EQUIDISTANT_CHORD, SEPARATION_VERTICAL, WHEEL, Contact, Frame, NodeRun,
-                      Nodes, NodesOfRegions, Region, Regions, Tables)
+                      Nodes, NodesOfRegions, Pair, Region, Regions, Tables)
 from ..surface.curvature import relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
@@ -71,7 +71,7 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, low_reach: float,
+def lay_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, low_reach: float,
               high_reach: float):
     """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
     on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
@@ -81,24 +81,24 @@ def lay_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, lo
     :func:`node_coefficients.weigh_nodes`.
     """
     start_traces(contact.frame, region.station, region.rail, region.wheel)
-    open_origin(tables, contact.frame, contact.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, region.station,
+    open_origin(pair, contact.frame, contact.origin, region, region.spacing)
+    gap, rate, bend, curvature = separation(pair, contact.frame, contact.origin, region.station,
                                             trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
-    nodes.turn[0] = turn_cosine(tables, contact.frame)
-    if tables.lateral != LATERAL_ADAPTIVE:
-        nodes.B[0] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
+    nodes.turn[0] = turn_cosine(pair, contact.frame)
+    if pair.tables.lateral != LATERAL_ADAPTIVE:
+        nodes.B[0] = relative_curvature(pair, contact.frame.traces[WHEEL].abscissa,
                                         contact.frame.traces[RAIL].abscissa)
-    before = lay_side_nodes(tables, contact, region, nodes, -1, low_reach, rate)
+    before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
-    after = lay_side_nodes(tables, contact, region, nodes, 1, high_reach, rate)
+    after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate)
     region.last = after
 
 
-def turn_cosine(tables: Tables, frame: Frame):
+def turn_cosine(pair: Pair, frame: Frame):
     """Cosine of the angle between the rail's normal at the present trace and that of the open frame."""
-    height, slope = height_slope(tables.rail, frame.traces[RAIL].abscissa)
+    height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
     return (frame.plane.cos + slope * frame.plane.sin) / sqrt(1.0 + slope * slope)
 
 
@@ -115,24 +115,24 @@ def bring_nearer(region: Region, nodes: Nodes):
             nodes.gap[k] -= level * (1.0 / nodes.turn[k] - 1.0)
 
 
-def trace_node(tables: Tables, contact: Contact, region: Region, nodes: Nodes, at: int):
+def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: int):
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, station,
+    gap, rate, bend, curvature = separation(pair, contact.frame, contact.origin, station,
                                             trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
-        nodes.turn[at] = turn_cosine(tables, contact.frame)
-        if tables.lateral != LATERAL_ADAPTIVE:
-            nodes.B[at] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
+        nodes.turn[at] = turn_cosine(pair, contact.frame)
+        if pair.tables.lateral != LATERAL_ADAPTIVE:
+            nodes.B[at] = relative_curvature(pair, contact.frame.traces[WHEEL].abscissa,
                                              contact.frame.traces[RAIL].abscissa)
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, direction: int,
-                   reach: float, rate: float):
+def lay_side_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, direction: int, reach: float,
+                   rate: float):
     """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
     risen above ``reach`` [m] or the bound is passed.
 
@@ -140,8 +140,8 @@ def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Node
     slope there.
     """
     start_traces(contact.frame, region.station, region.rail, region.wheel)
-    stride = node_stride(tables)
-    window = window_nodes(tables)
+    stride = node_stride(pair.tables)
+    window = window_nodes(pair.tables)
     k = 0
     traced = 0
     step = stride
@@ -150,12 +150,12 @@ def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Node
     ended = False
     while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
         if k == traced and not ended:
-            gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
+            gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
                 start_traces(contact.frame, region.station, region.rail, region.wheel)
-                gap, next_rate = trace_node(tables, contact, region, nodes, direction * (traced + step))
+                gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
@@ -169,7 +169,7 @@ def lay_side_nodes(tables: Tables, contact: Contact, region: Region, nodes: Node
         station = region.station + region.spacing * float(at)
         if ended:
             extrapolate_node(nodes, at, direction)
-            if tables.lateral != LATERAL_ADAPTIVE:
+            if pair.tables.lateral != LATERAL_ADAPTIVE:
                 nodes.B[at] = nodes.B[at - direction]
         if passed > 0:
             left -= 1
@@ -264,32 +264,32 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     return spacing
 
 
-def prepare_regions(tables: Tables, contact: Contact, count: int, enlarge: float):
+def prepare_regions(pair: Pair, contact: Contact, count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``."""
     for i in range(count):
         region = contact.regions[i]
         enter_plane(contact.frame, contact.frames, contact.regions[i], i)
-        measure_widths(tables, contact, region, MEASURED * region.local_penetration)
-        region.spacing = node_spacing(tables, region, enlarge)
-        prepare_nodes(tables, contact, region, contact.nodes[i], enlarge)
+        measure_widths(pair, contact, region, MEASURED * region.local_penetration)
+        region.spacing = node_spacing(pair.tables, region, enlarge)
+        prepare_nodes(pair, contact, region, contact.nodes[i], enlarge)
         leave_plane(contact.frame, contact.frames, contact.regions[i])
 
 
-def prepare_nodes(tables: Tables, contact: Contact, region: Region, nodes: Nodes, enlarge: float):
+def prepare_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local
     penetration times ``enlarge``."""
     yawed = is_yawed(contact.frame)
     reach = region.local_penetration * enlarge
     A = 0.5 * region.curvature
-    low_reach = reach * zone_share(tables, A, region.side_low)
-    high_reach = reach * zone_share(tables, A, region.side_high)
+    low_reach = reach * zone_share(pair.tables, A, region.side_low)
+    high_reach = reach * zone_share(pair.tables, A, region.side_high)
     if contact.frame.pressed and yawed:
-        contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
-    lay_nodes(tables, contact, region, nodes, low_reach, high_reach)
+        contact.frame.blur = region.spacing * float(node_stride(pair.tables)) * contact.frame.wheel_plane.cos
+    lay_nodes(pair, contact, region, nodes, low_reach, high_reach)
     bring_nearer(region, nodes)
-    weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
-    if contact.frame.pressed or tables.load == LOAD_VERTICAL:
-        mean_normal(tables, contact.frame, region, nodes, region.local_penetration)
+    weigh_nodes(pair.tables, region, nodes, window_nodes(pair.tables), yawed)
+    if contact.frame.pressed or pair.tables.load == LOAD_VERTICAL:
+        mean_normal(pair, contact.frame, region, nodes, region.local_penetration)
     region.square = region.local_penetration / nodes.length[0]
 
 

@@ -9,27 +9,28 @@ Hertz's stands here: one elliptic patch in closed form, with the curvatures at t
 from math import isfinite, pi, sqrt
 
 from ..contact.frame import locate_along_track
-from ..layout import MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, SideSearch, Tables
+from ..layout import (MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, Pair, SideSearch,
+                      Tables)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from .analyn_contact import analyn_contact
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from .strip_contact import coarse_contact, strip_contact
 
 
-def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
+def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
     penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
 
     A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
     """
-    locate_along_track(tables, contact.frame, contact.regions, 1)
+    locate_along_track(pair, contact.frame, contact.regions, 1)
     region = contact.regions[0]
     point = side.point
-    table = tables.hertz
+    table = pair.tables.hertz
     A = 0.5 * point.curvature_x
     B = max(FLOOR * A, 0.5 * point.curvature_y)
     one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
-    stiffness = hertz_stiffness(one_beta, nr, B, tables.contact_modulus)
+    stiffness = hertz_stiffness(one_beta, nr, B, pair.tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
         penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
@@ -54,21 +55,21 @@ def hertz_contact(tables: Tables, contact: Contact, side: SideSearch, force: flo
     return penetration, 1, True
 
 
-def solve_normal(tables: Tables, contact: Contact, side: SideSearch, force: float, prescribed: float):
+def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
     [m] if that is a number.
 
     Returns the penetration [m], the number of regions, and whether the force is satisfied.
     """
-    model = tables.normal_model
+    model = pair.tables.normal_model
     if model == MODEL_HERTZ:
-        penetration, count, satisfied = hertz_contact(tables, contact, side, force, prescribed)
+        penetration, count, satisfied = hertz_contact(pair, contact, side, force, prescribed)
     elif model == MODEL_ANALYN:
-        penetration, count, satisfied = analyn_contact(tables, contact, side, force, prescribed)
+        penetration, count, satisfied = analyn_contact(pair, contact, side, force, prescribed)
     elif contact.coarse:
-        penetration, count, satisfied = coarse_contact(tables, contact, force)
+        penetration, count, satisfied = coarse_contact(pair, contact, force)
     else:
-        penetration, count, satisfied = strip_contact(tables, contact, side, force, prescribed)
+        penetration, count, satisfied = strip_contact(pair, contact, side, force, prescribed)
     return penetration, count, satisfied
 
 

@@ -8,19 +8,19 @@ between two regions has two normals and two places, one for each.
 from math import atan, sqrt
 
 from ..contact.curves import rail_abscissa
-from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Nodes, Patch, Region,
-                      SideSearch, Tables)
+from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Nodes, Pair, Patch,
+                      Region, SideSearch)
 from ..surface.rails import on_track, upright_share
 from ..surface.tables import height_slope, read_cubic
 
 
-def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
+def mean_normal(pair: Pair, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
     local penetration [m].
 
     The nodes lie along the rail.
     """
-    arc = read_cubic(tables.rail_arc, region.rail)
+    arc = read_cubic(pair.rail_arc, region.rail)
     total = 0.0
     cosines = 0.0
     sines = 0.0
@@ -31,7 +31,7 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
         if direction < 0:
             last = -region.first
         for k in range(last + 1):
-            height, slope = height_slope(tables.rail, x)
+            height, slope = height_slope(pair.rail, x)
             cosine = 1.0 / sqrt(1.0 + slope * slope)
             weight = nodes.line[direction * k] * (local_penetration - nodes.rise[direction * k])
             if weight <= 0.0:
@@ -41,42 +41,28 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
             total += weight
             cosines += weight * cosine
             sines += weight * slope * cosine
-            x = read_cubic(tables.rail_at_arc, arc + step * float(k + 1))
+            x = read_cubic(pair.rail_at_arc, arc + step * float(k + 1))
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total
-        if tables.load == LOAD_VERTICAL:
+        if pair.tables.load == LOAD_VERTICAL:
             region.share = upright_share(frame.place, region.cos, region.sin)
 
 
-def place_patches(tables: Tables, contact: Contact, side: SideSearch):
+def place_patches(pair: Pair, contact: Contact, side: SideSearch):
     """Centres of load, normal forces and penetrations of the patches of a side whose regions are solved."""
     for index in range(side.patch_count):
         patch = side.patches[index]
-        open_place(patch)
         for number in range(REGION_LIMIT):
             if patch.loads[number] != 0.0:
                 region = contact.regions[number]
                 local = region.alignment * side.penetration - region.gap
                 patch.penetration = max(patch.penetration, local)
-                place_load(tables, contact.frame, region, patch, number)
+                place_load(pair, contact.frame, region, patch, number)
         close_place(patch)
 
 
-def open_place(patch: Patch):
-    """No load, no force and no penetration yet."""
-    patch.penetration = 0.0
-    patch.x_track = 0.0
-    patch.y_track = 0.0
-    patch.z_track = 0.0
-    patch.rolling_radius = 0.0
-    patch.normal_y = 0.0
-    patch.normal_z = 0.0
-    for i in range(3):
-        patch.normal_moment[i] = 0.0
-
-
-def place_load(tables: Tables, frame: Frame, region: Region, patch: Patch, number: int):
+def place_load(pair: Pair, frame: Frame, region: Region, patch: Patch, number: int):
     """The load of a patch in a region, which is its ``number``: its force, its moment about the track's
     origin, and its place [m], weighted by the load until :func:`close_place`."""
     load = patch.loads[number]
@@ -85,15 +71,15 @@ def place_load(tables: Tables, frame: Frame, region: Region, patch: Patch, numbe
     away = 0.0
     if load > 0.0:
         away = patch.moments[number] / load - region.offset - region.station
-    abscissa = abscissa_at(tables, frame, region, away)
-    height, slope = height_slope(tables.rail, abscissa)
+    abscissa = abscissa_at(pair, frame, region, away)
+    height, slope = height_slope(pair.rail, abscissa)
     normal_cos = 1.0 / sqrt(1.0 + slope * slope)
     normal_sin = slope * normal_cos
-    if frame.pressed or tables.load == LOAD_VERTICAL:
+    if frame.pressed or pair.tables.load == LOAD_VERTICAL:
         normal_cos = region.cos
         normal_sin = region.sin
     x = region.x_track + region.slant * away
-    y, z = on_track(frame.place, tables.rail_y, tables.rail_y + abscissa, height)
+    y, z = on_track(frame.place, pair.rail_y, pair.rail_y + abscissa, height)
     if frame.place.leaning:
         down = normal_cos
         normal_cos = frame.place.rail_cos * down - frame.place.rail_sin * normal_sin
@@ -105,21 +91,21 @@ def place_load(tables: Tables, frame: Frame, region: Region, patch: Patch, numbe
     patch.normal_moment[0] += y * force_z - z * force_y
     patch.normal_moment[1] -= x * force_z
     patch.normal_moment[2] += x * force_y
-    wheel_height, wheel_slope = height_slope(tables.wheel, region.wheel)
-    wheel_height, wheel_slope = height_slope(tables.wheel,
-                                             region.wheel + away / sqrt(1.0 + wheel_slope * wheel_slope))
+    wheel_height, wheel_slope = height_slope(pair.wheel, region.wheel)
+    wheel_height, wheel_slope = height_slope(pair.wheel, region.wheel
+                                             + away / sqrt(1.0 + wheel_slope * wheel_slope))
     patch.x_track += load * x
     patch.y_track += load * y
     patch.z_track += load * z
-    patch.rolling_radius += load * (tables.radius + wheel_height)
+    patch.rolling_radius += load * (pair.radius + wheel_height)
 
 
-def abscissa_at(tables: Tables, frame: Frame, region: Region, away: float):
+def abscissa_at(pair: Pair, frame: Frame, region: Region, away: float):
     """The rail's abscissa [m] at stations ``away`` from a region's smallest gap [m]: stations of a wheel that
     just touches are those of its contact plane, all others run along the rail."""
     abscissa = region.rail + away * frame.plane.cos
     if frame.pressed:
-        abscissa = rail_abscissa(tables, region.rail, away)
+        abscissa = rail_abscissa(pair, region.rail, away)
     return abscissa
 
 
@@ -134,7 +120,7 @@ def close_place(patch: Patch):
         patch.contact_angle = -atan(patch.normal_y / -patch.normal_z)
 
 
-def place_strips(tables: Tables, contact: Contact, patch: Patch):
+def place_strips(pair: Pair, contact: Contact, patch: Patch):
     """Where the strips of a patch are in the track, and the wheel's rolling radius there.  Wheel and rail lie
     on each other: from the point of the patch's first region on, both abscissae run alike."""
     number = 0
@@ -144,10 +130,10 @@ def place_strips(tables: Tables, contact: Contact, patch: Patch):
     place = contact.frame.place
     for index in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[index]
-        abscissa = abscissa_at(tables, contact.frame, region, strip.station - region.offset - region.station)
-        height, slope = height_slope(tables.rail, abscissa)
-        y, z = on_track(place, tables.rail_y, tables.rail_y + abscissa, height)
+        abscissa = abscissa_at(pair, contact.frame, region, strip.station - region.offset - region.station)
+        height, slope = height_slope(pair.rail, abscissa)
+        y, z = on_track(place, pair.rail_y, pair.rail_y + abscissa, height)
         strip.y_track = y
         strip.z_track = z
-        height, slope = height_slope(tables.wheel, region.wheel + abscissa - region.rail)
-        strip.rolling_radius = tables.radius + height
+        height, slope = height_slope(pair.wheel, region.wheel + abscissa - region.rail)
+        strip.rolling_radius = pair.radius + height

@@ -8,8 +8,8 @@ from ..contact.curves import open_origin
 from ..contact.separation import separation
 from ..contact.pressed import limited
 from ..contact.traces import start_traces
-from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Place, Region, Strip,
-                      StripProblem, Strips, Tables)
+from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Pair, Place, Region,
+                      Strip, StripProblem, Strips, Tables)
 from ..surface.locus import outline_x
 from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope, height_slope_bend
@@ -31,7 +31,7 @@ LEAST_OVERLAP: Final[float] = 0.05
 FIRST_LEAD: Final[float] = 0.5
 
 
-def trace_strips(tables: Tables, contact: Contact, count: int):
+def trace_strips(pair: Pair, contact: Contact, count: int):
     """Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions."""
     problem = contact.strip_problem
     strips = problem.strips
@@ -45,23 +45,23 @@ def trace_strips(tables: Tables, contact: Contact, count: int):
             if strip.region == index:
                 if not started:
                     start_traces(contact.frame, region.station, region.rail, region.wheel)
-                    open_origin(tables, contact.frame, contact.origin, region, 0.0)
+                    open_origin(pair, contact.frame, contact.origin, region, 0.0)
                     started = True
-                trace_strip(tables, contact, region, strip)
+                trace_strip(pair, contact, region, strip)
         leave_plane(contact.frame, contact.frames, region)
 
 
-def trace_strip(tables: Tables, contact: Contact, region: Region, strip: Strip):
+def trace_strip(pair: Pair, contact: Contact, region: Region, strip: Strip):
     """The surfaces at a strip of ``region``, whose frame is open."""
     frame = contact.frame
-    gap, rate, bend, curvature = separation(tables, frame, contact.origin, strip.station - region.offset,
+    gap, rate, bend, curvature = separation(pair, frame, contact.origin, strip.station - region.offset,
                                             STRIP_TRACE)
     strip.rise = 0.0
     strip.overlap = -NO_GAP
     if gap < NO_GAP:
         strip.overlap = frame.raised + frame.depth - gap
         strip.rise = -rate
-    height, slope = height_slope(tables.rail, frame.traces[RAIL].abscissa)
+    height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
     strip.cos = 1.0 / sqrt(1.0 + slope * slope)
     strip.sin = slope * strip.cos
     strip.x = 0.0
@@ -69,7 +69,7 @@ def trace_strip(tables: Tables, contact: Contact, region: Region, strip: Strip):
     strip.skew = 0.0
     strip.wheel = frame.traces[WHEEL].abscissa
     if is_yawed(frame):
-        strip.x = outline_x(tables, frame.place, strip.wheel)
+        strip.x = outline_x(pair, frame.place, strip.wheel)
 
 
 def place_on_middle(strips: Strips, count: int):
@@ -116,35 +116,35 @@ def incline_strips(tables: Tables, frame: Frame, problem: StripProblem):
             strip.counted = upright_share(frame.place, cosine, strip.sin)
 
 
-def profile_within(tables: Tables, y: float):
+def profile_within(pair: Pair, y: float):
     """Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond."""
-    wheel = tables.wheel
+    wheel = pair.wheel
     y = min(max(y, wheel.start), wheel.stop)
     z, slope = height_slope(wheel, y)
     return z
 
 
-def measure_ridge(tables: Tables, place: Place, strip: Strip, away: float):
+def measure_ridge(pair: Pair, place: Place, strip: Strip, away: float):
     """A and skew of the gap beside a yawed wheel's ridge, which at a distance ``away`` along x are those of
     the wheel there.
 
     Along x a yawed wheel shows other parts of its profile, to either side of the ridge's.
     """
-    if tables.longitudinal != LONGITUDINAL_BASIC:
+    if pair.tables.longitudinal != LONGITUDINAL_BASIC:
         across = away * place.sin_yaw * place.cos_roll
-        z, slope, bend = height_slope_bend(tables.wheel, strip.wheel)
-        before = profile_within(tables, strip.wheel - across)
-        after = profile_within(tables, strip.wheel + across)
+        z, slope, bend = height_slope_bend(pair.wheel, strip.wheel)
+        before = profile_within(pair, strip.wheel - across)
+        after = profile_within(pair, strip.wheel + across)
         mean = bend
         square = across * across
         if square > 0.0:
             mean = (before + after - 2.0 * z) / square
-        strip.A = 0.5 * longitudinal_curvature(tables, place, z, slope, mean)
+        strip.A = 0.5 * longitudinal_curvature(pair.tables, place, z, slope, mean)
         odd = 0.5 * (after - before) - slope * across
         strip.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)
 
 
-def first_lengths(tables: Tables, contact: Contact, count: int):
+def first_lengths(pair: Pair, contact: Contact, count: int):
     """Half-lengths of the strips, which lie in ``count`` regions, from how wide their zones are:
     those of Hertz's ellipse for gap and curvature at each strip."""
     problem = contact.strip_problem
@@ -158,14 +158,14 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
         low = zone_curvature(depth, middle - zone.start, A)
         high = zone_curvature(depth, zone.stop - middle, A)
         B = sqrt(low * high)
-        one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, B)
+        one_alpha, one_beta, nr = hertz_coefficients(pair.tables.hertz, A, B)
         lean = 0.0
-        low_beta = table_value(tables.hertz, 0, log(A / low))
-        high_beta = table_value(tables.hertz, 0, log(A / high))
+        low_beta = table_value(pair.tables.hertz, 0, log(A / low))
+        high_beta = table_value(pair.tables.hertz, 0, log(A / high))
         if is_yawed(frame):
             slant = ridge_slant(problem, index)
-            alpha, beta, nr = skewed_coefficients(tables.hertz, A, B, slant)
-            lean = middle_slant(tables.hertz, A, B, slant) - slant
+            alpha, beta, nr = skewed_coefficients(pair.tables.hertz, A, B, slant)
+            lean = middle_slant(pair.tables.hertz, A, B, slant) - slant
             low_beta *= beta / one_beta
             high_beta *= beta / one_beta
             one_alpha = alpha
@@ -174,7 +174,7 @@ def first_lengths(tables: Tables, contact: Contact, count: int):
             if strip.region == index:
                 if is_yawed(frame):
                     overlap = max(strip.overlap, LEAST_OVERLAP * depth)
-                    measure_ridge(tables, frame.place, strip, TESTED * sqrt(overlap * tables.radius))
+                    measure_ridge(pair, frame.place, strip, TESTED * sqrt(overlap * pair.radius))
                 beta = low_beta
                 if strip.station > middle:
                     beta = high_beta
@@ -221,14 +221,14 @@ def first_length(strip: Strip, depth: float, one_alpha: float, one_beta: float):
     strip.half_length = sqrt(level / (one_alpha * strip.A))
 
 
-def lengths_before(tables: Tables, frame: Frame, problem: StripProblem):
+def lengths_before(pair: Pair, frame: Frame, problem: StripProblem):
     """Half-lengths and leads of the strips from the layout before."""
     strips = problem.strips
     length_before(problem)
     for i in range(problem.count):
         strip = strips[i]
         if is_yawed(frame):
-            measure_ridge(tables, frame.place, strip, TESTED * strip.half_length)
+            measure_ridge(pair, frame.place, strip, TESTED * strip.half_length)
     limit_lengths(strips, problem.count)
 
 

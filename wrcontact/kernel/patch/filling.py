@@ -3,26 +3,13 @@ totals and ranks."""
 
 from math import sqrt
 
-from ..layout import PATCH_SIZE, REGION_LIMIT, SOLVED_PATCH_LIMIT, Patch, PatchTotals, Region, SideSearch
-
-
-def clear_totals(totals: PatchTotals, start: float):
-    """Totals of nothing, at station ``start`` [m]."""
-    totals.load = 0.0
-    totals.area = 0.0
-    totals.moment = 0.0
-    totals.centroid = 0.0
-    totals.max_pressure = 0.0
-    totals.max_half_length = 0.0
-    totals.start = start
-    totals.stop = start
-    totals.width = 0.0
+from ..layout import REGION_LIMIT, SOLVED_PATCH_LIMIT, Patch, PatchTotals, Region, SideSearch, clear, copy
 
 
 def clear_patches(side: SideSearch):
     """No patches."""
     side.patch_count = 0
-    clear_totals(side.totals, 0.0)
+    clear(side.totals)
 
 
 def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule: int, contact_angle: float):
@@ -36,19 +23,9 @@ def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule
         return index - 1
     side.patch_count = index + 1
     patch = side.patches[index]
-    clear_totals(patch.totals, start)
-    place_patch(patch, region, first, rule, contact_angle)
-    return index
-
-
-def place_patch(patch: Patch, region: Region, first: int, rule: int, contact_angle: float):
-    """Give a patch the point of its region; it has no load, no rank, no strips behind ``first``
-    and no motion yet."""
-    patch.pressure_square = 0.0
-    patch.half_length_square = 0.0
-    for i in range(REGION_LIMIT):
-        patch.loads[i] = 0.0
-        patch.moments[i] = 0.0
+    clear(patch)
+    patch.totals.start = start
+    patch.totals.stop = start
     patch.contact_angle = contact_angle
     patch.rail = region.rail
     patch.wheel = region.wheel
@@ -58,17 +35,7 @@ def place_patch(patch: Patch, region: Region, first: int, rule: int, contact_ang
     patch.rule = rule
     patch.first = first
     patch.last = first - 1
-    patch.rank = 0
-    patch.creepage_x = 0.0
-    patch.creepage_y = 0.0
-    patch.spin = 0.0
-    patch.speed = 0.0
-    patch.creep_x = 0.0
-    patch.creep_y = 0.0
-    patch.creep_moment = 0.0
-    patch.stick_share = 0.0
-    patch.max_shear = 0.0
-    patch.saturation = 0.0
+    return index
 
 
 def add_load(patch: Patch, region: int, load: float, moment: float):
@@ -124,10 +91,7 @@ def remove_patch(side: SideSearch, index: int):
         heir.moments[region] += removed.moments[region]
     side.patch_count = side.patch_count - 1
     for following in range(index, side.patch_count):
-        patch = side.patches[following]
-        behind = side.patches[following + 1]
-        for i in range(PATCH_SIZE):
-            patch[i] = behind[i]
+        copy(side.patches[following + 1], side.patches[following])
 
 
 def finish_patches(side: SideSearch):

@@ -7,8 +7,8 @@ second derivative and the largest absolute slope of its samples.
 from math import ceil, fabs
 from typing import Final
 
-from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Profile, Scan,
-                      Tables, offset)
+from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Pair, Profile,
+                      Scan, Setup, Tables, offset)
 from ..search.bounds import STEEP, WIDEST
 from ..surface.tables import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
@@ -133,11 +133,11 @@ def raster_place(start: float, stop: float, count: int, i: int):
     return y
 
 
-def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, firsts: int):
+def write_raster(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scratch: int, firsts: int):
     """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other,
     half as much where it is not nearly straight; the number of the first node in each coarse step goes to
     ``work`` at ``firsts``. How many nodes, or TOO_WIDE or FULL."""
-    wheel = tables.wheel
+    wheel = pair.wheel
     start = wheel.start
     stop = wheel.stop
     count = coarse_count(start, stop)
@@ -161,13 +161,13 @@ def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, fir
     return node
 
 
-def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]', scratch: int):
+def write_wheel_bounds(tables: Tables, pair: Pair, scan: Scan, count: int, work: 'float[:]', scratch: int):
     """Height, slope and bounds of the nodes; stretches end with the table.
 
     Stretches that are steeper than the search's bounds allow get a second derivative with
     which they are not skipped.
     """
-    wheel = tables.wheel
+    wheel = pair.wheel
     for i in range(count):
         node = scan.nodes[i]
         y = node.y
@@ -188,7 +188,7 @@ def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]',
             cells += cells
 
 
-def write_levers(tables: Tables, scan: Scan, count: int):
+def write_levers(pair: Pair, scan: Scan, count: int):
     """The largest lever of each node and all beyond it: by how much the gap there would change with the roll
     of a wheelset at zero roll, if wheel and rail were parallel there."""
     largest = -FAR
@@ -199,21 +199,21 @@ def write_levers(tables: Tables, scan: Scan, count: int):
             width = scan.nodes[count - i].y - node.y
         for k in range(LAST_SAMPLE):
             y = node.y + width * (float(k) / float(LAST_SAMPLE))
-            z, slope = height_slope(tables.wheel, y)
-            largest = max(largest, -slope * (tables.radius + z) - (tables.arm + y))
+            z, slope = height_slope(pair.wheel, y)
+            largest = max(largest, -slope * (pair.radius + z) - (pair.tables.arm + y))
         node.lever = largest
 
 
-def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int):
+def write_rail_bounds(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scratch: int):
     """Bounds of the rail's raster.
 
     A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
     wheel, stretched by WIDEST.
     """
-    rail = offset(tables.rail, tables)
+    rail = offset(pair.rail, tables)
     for i in range(scan.rail_count):
         cell = scan.rail[i]
-        edge = tables.rail.start + FINE_STEP * float(i)
+        edge = pair.rail.start + FINE_STEP * float(i)
         least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - FINE_STEP,
                                            edge + FINE_STEP + 1.5 * COARSE_STEP)
         cell.least_bend = least
@@ -227,17 +227,21 @@ def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int
             cells += cells
 
 
-def write_scan(tables: Tables, work: 'float[:]', scratch: int):
-    """The raster over wheel and rail, where the settings say that it begins; the offset after
-    it, or TOO_WIDE or FULL."""
-    scan = tables.scan
-    wheel = tables.wheel
-    rail = tables.rail
+def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: 'float[:]'):
+    """The raster over wheel and rail at ``at``, and where the pair finds it; the offset after it, or
+    TOO_WIDE or FULL."""
+    scratch = 0
+    pair.scan = Scan.at(tables, at)
+    scan = pair.scan
+    wheel = pair.wheel
+    rail = pair.rail
     pieces = max(piece_count(tables.raw, offset(wheel, tables)),
                  piece_count(tables.raw, offset(rail, tables)))
     firsts = scratch + 3 * pieces
     sample_pieces(tables.raw, offset(wheel, tables), work, scratch)
-    count = write_raster(tables, scan, work, scratch, firsts)
+    count = write_raster(tables, pair, scan, work, scratch, firsts)
+    if count == TOO_WIDE:
+        setup.width = wheel.stop - wheel.start
     if count < 0:
         return count
     bins = coarse_count(wheel.start, wheel.stop)
@@ -253,13 +257,13 @@ def write_scan(tables: Tables, work: 'float[:]', scratch: int):
     end = offset(scan.bins, tables) + bins
     if end > tables.raw.shape[0]:
         return FULL
-    write_wheel_bounds(tables, scan, count, work, scratch)
-    write_levers(tables, scan, count)
+    write_wheel_bounds(tables, pair, scan, count, work, scratch)
+    write_levers(pair, scan, count)
     least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, wheel.start,
                                        wheel.stop)
     scan.steepest = steepest
     sample_pieces(tables.raw, offset(rail, tables), work, scratch)
-    write_rail_bounds(tables, scan, work, scratch)
+    write_rail_bounds(tables, pair, scan, work, scratch)
     for i in range(bins):
         scan.bins[i] = work[firsts + i]
     return end

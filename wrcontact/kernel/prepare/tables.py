@@ -1,10 +1,10 @@
 """The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
 and the native FMU do at the start, outside the hot unit.
 
-The recipe, for each side: place the rail, cut the wheel, compile both, and lay the tables one after the
-other (``prepare``); one array serves both sides where they are equal. Then the kernel itself fills the table
-of starts of the right side (``start_shift`` and ``note_start``), and last come the methods
-(``write_methods``).
+The recipe (``prepare``): settings, tables that do not depend on the profiles, then of each side the wheel,
+the rail and the raster over both (``write_wheel``, ``write_rail``, ``write_scan``); a left wheel or rail that
+equals the right one shares its tables. Then the kernel itself fills the table of starts (``start_shift`` and
+``note_start``), and last come the methods (``write_methods``).
 
 Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
 with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
@@ -15,13 +15,13 @@ from math import atan
 from typing import Final
 
 from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
-                      PARAMETERS_SIZE, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE,
-                      SETTING_COUNT, SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT,
-                      STATION_COUNT, TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, Outputs, Profile, RollingTable,
-                      Setup, Tables)
+                      POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SETTING_COUNT,
+                      SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT, STATION_COUNT,
+                      TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, CubicTable, CurvatureTable, Outputs, Pair,
+                      Profile, RollingTable, Setup, Tables, clear, copy, offset)
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
-from .scan import TOO_WIDE, write_scan
+from .scan import write_scan
 from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, highest_point, inner_face,
                     keep_around_top, turn_zones)
 
@@ -38,19 +38,9 @@ HIGH_RATIO: Final[float] = 0.5
 FIRST_CORRECTION: Final[float] = 0.25
 SECOND_CORRECTION: Final[float] = 0.28
 THIRD_CORRECTION: Final[float] = 0.30
-# what became of it
-PREPARED: Final[int] = 0
-TABLES_FULL: Final[int] = 1          # more room is needed
-GAUGE_TOO_DEEP: Final[int] = 2       # the rail's inner side ends before the gauge depth
-WITHOUT_HEAD: Final[int] = 3         # a profile has nothing readable at its origin
-WHEEL_TOO_WIDE: Final[int] = 4
-
-# the report
-REPORT_SIZE: Final[int] = 0          # how much of the tables is used
-REPORT_DEEPEST: Final[int] = 1       # where the rail's inner side ends [m]
-REPORT_WIDTH: Final[int] = 2         # of the wheel [m]
-REPORT_DEPTH: Final[int] = 3         # how deep the gauge is measured, in the same frame [m]
-REPORT_COUNT: Final[int] = 4
+# in place of an offset, beside FULL (pieces.py) and TOO_WIDE (scan.py)
+GAUGE_TOO_DEEP: Final[int] = -3      # the rail's inner side ends before the gauge depth
+WITHOUT_HEAD: Final[int] = -4        # a profile has nothing readable at its origin
 
 START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
 STARTS_EACH_METRE: Final[float] = 2000.0
@@ -142,29 +132,9 @@ def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
     return at + size
 
 
-def place_zones(setup: Setup, work: 'float[:]', wheel: int, rail: int, tables: Tables, report: 'float[:]'):
-    """Cut the wheel's and place the rail's definition in the workspace, and note where the
-    rail stands; the outcome."""
-    angle = -atan(setup.parameters.rail_inclination)
-    y_top, z_top = highest_point(work, rail, angle)
-    depth = z_top + setup.parameters.gauge_depth / MM
-    y_gauge, reached = inner_face(work, rail, angle, depth)
-    if reached < depth:
-        report[REPORT_DEEPEST] = reached * MM
-        report[REPORT_DEPTH] = depth * MM
-        return GAUGE_TOO_DEEP
-    tables.rail_y = setup.parameters.gauge / 2.0 + (y_top - y_gauge) * MM
-    turn_zones(work, rail, angle, -y_top, -z_top)
-    turn_zones(work, wheel, 0.0, 0.0, 0.0)
-    if keep_around_top(work, rail) == 0 or keep_around_top(work, wheel) == 0:
-        return WITHOUT_HEAD
-    return PREPARED
-
-
 def write_settings(setup: Setup, tables: Tables):
     """The settings that are known from the beginning, with each method's first choice."""
-    tables.radius = setup.parameters.nominal_radius
-    tables.height = setup.height
+    tables.height = 0.5 * (setup.parameters.nominal_radius + setup.left_radius)
     tables.arm = 0.5 * setup.parameters.running_circle_distance
     nu = setup.parameters.poisson_ratio
     tables.contact_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 - nu * nu))
@@ -181,8 +151,9 @@ def write_settings(setup: Setup, tables: Tables):
     tables.depth = float(DEPTH_ALL)
     tables.absent = setup.absent
     tables.stations = float(STATION_COUNT)
-    for i in range(PARAMETERS_SIZE):
-        tables.parameters[i] = setup.parameters[i]
+    copy(setup.parameters, tables.parameters)
+    for index in range(2):
+        tables.pairs[index].tables = tables
 
 
 def write_methods(setup: Setup, tables: Tables):
@@ -201,45 +172,69 @@ def append_starts(tables: Tables, at: int):
     offset after it, or FULL."""
     if at + STARTS_SIZE > tables.raw.shape[0]:
         return FULL
-    for i in range(STARTS_SIZE):
-        tables[at + i] = 0.0
     tables.starts = at
     starts = tables.starts
+    clear(starts)
     starts.first_shift = -LATERAL_LIMIT
     starts.per_metre = STARTS_EACH_METRE
     return at + STARTS_SIZE
 
 
-def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', fixed: 'float[:]',
-            tables: Tables, work: 'float[:]', report: 'float[:]'):
-    """Everything but starts and methods into ``tables``; the outcome. ``fixed`` are the tables that do not
-    depend on the profiles (arrays.py); the workspace holds both definitions and as much again as the
-    tables."""
-    for i in range(SETTING_COUNT):
-        tables[i] = 0.0
-    rail_zones = copy_definition(wheel_definition, work, 0)
-    scratch = copy_definition(rail_definition, work, rail_zones)
-    outcome = place_zones(setup, work, 0, rail_zones, tables, report)
-    if outcome != PREPARED:
-        return outcome
-    write_settings(setup, tables)
-    wheel = SETTING_COUNT
-    tables.wheel = wheel
-    rail = write_profile(tables.raw, wheel, work, 0, setup.absent, work, scratch)
-    if rail == FULL:
-        return TABLES_FULL
-    tables.rail = rail
-    at = write_profile(tables.raw, rail, work, rail_zones, setup.absent, work, scratch)
-    if at == FULL:
-        return TABLES_FULL
-    tables.scan = at
-    at = write_scan(tables, work, scratch)
-    if at == TOO_WIDE:
-        report[REPORT_WIDTH] = Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start
-        return WHEEL_TOO_WIDE
-    if at != FULL:
-        tables.hertz = at
-        at = append_fixed(tables.raw, at, fixed, FIXED_HERTZ)
+def write_wheel(setup: Setup, tables: Tables, pair: Pair, radius: float, at: int, definition: 'float[:]',
+                work: 'float[:]'):
+    """The tables of a wheel of this radius [m] at ``at``, and where the pair finds them; the offset after
+    them, or why not."""
+    scratch = copy_definition(definition, work, 0)
+    turn_zones(work, 0, 0.0, 0.0, 0.0)
+    if keep_around_top(work, 0) == 0:
+        return WITHOUT_HEAD
+    pair.radius = radius
+    pair.wheel = Profile.at(tables, at)
+    end = write_profile(tables.raw, at, work, 0, setup.absent, work, scratch)
+    if end != FULL:
+        pair.wheel_curvature = CurvatureTable.at(tables, end)
+        end = write_curvatures(tables, end, at, -1.0, work, scratch)
+    return end
+
+
+def write_rail(setup: Setup, tables: Tables, pair: Pair, inclination: float, at: int, definition: 'float[:]',
+               work: 'float[:]'):
+    """The tables of a rail at ``at``, inclined and placed in the track, and where the pair finds them; the
+    offset after them, or why not."""
+    scratch = copy_definition(definition, work, 0)
+    angle = -atan(inclination)
+    y_top, z_top = highest_point(work, 0, angle)
+    depth = z_top + setup.parameters.gauge_depth / MM
+    y_gauge, reached = inner_face(work, 0, angle, depth)
+    if reached < depth:
+        setup.reached = reached * MM
+        setup.depth = depth * MM
+        return GAUGE_TOO_DEEP
+    turn_zones(work, 0, angle, -y_top, -z_top)
+    if keep_around_top(work, 0) == 0:
+        return WITHOUT_HEAD
+    pair.rail_y = setup.parameters.gauge / 2.0 + (y_top - y_gauge) * MM
+    pair.rail = Profile.at(tables, at)
+    end = write_profile(tables.raw, at, work, 0, setup.absent, work, scratch)
+    if end != FULL:
+        pair.rail_curvature = CurvatureTable.at(tables, end)
+        end = write_curvatures(tables, end, at, 1.0, work, scratch)
+    if end != FULL:
+        pair.rail_arc = CubicTable.at(tables, end)
+        end = write_arcs(tables, end, at, work, scratch)
+    if end != FULL:
+        pair.rail_at_arc = CubicTable.at(tables, end)
+        end = write_abscissae(tables, end, at, work, scratch)
+    return end
+
+
+def write_common(setup: Setup, tables: Tables, fixed: 'float[:]'):
+    """What does not depend on the profiles, behind the settings; the offset after it, or FULL.
+
+    ``fixed`` are the tables that are the same for all wheelsets.
+    """
+    tables.hertz = SETTING_COUNT
+    at = append_fixed(tables.raw, SETTING_COUNT, fixed, FIXED_HERTZ)
     if at != FULL:
         tables.influence = at
         at = append_fixed(tables.raw, at, fixed, FIXED_INFLUENCE)
@@ -248,22 +243,88 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
         at = append_rolling(tables, at, fixed, setup.parameters.poisson_ratio)
     if at != FULL:
         at = append_starts(tables, at)
-    if at != FULL:
-        tables.wheel_curvature = at
-        at = write_curvatures(tables, at, wheel, -1.0, work, scratch)
-    if at != FULL:
-        tables.rail_curvature = at
-        at = write_curvatures(tables, at, rail, 1.0, work, scratch)
-    if at != FULL:
-        tables.rail_arc = at
-        at = write_arcs(tables, at, rail, work, scratch)
-    if at != FULL:
-        tables.rail_at_arc = at
-        at = write_abscissae(tables, at, rail, work, scratch)
-    if at == FULL:
-        return TABLES_FULL
-    report[REPORT_SIZE] = float(at)
-    return PREPARED
+    return at
+
+
+def write_right(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 'float[:]',
+                work: 'float[:]'):
+    """The right side's wheel, rail and raster from ``at`` on; the offset after them, or why not."""
+    pair = tables.pairs[1]
+    end = write_wheel(setup, tables, pair, setup.parameters.nominal_radius, at, wheel, work)
+    if end >= 0:
+        end = write_rail(setup, tables, pair, setup.parameters.rail_inclination, end, rail, work)
+    if end >= 0:
+        end = write_scan(setup, tables, pair, end, work)
+    return end
+
+
+def write_left(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 'float[:]', work: 'float[:]',
+               equal_wheels: bool, equal_rails: bool):
+    """The left side's wheel, rail and raster from ``at`` on, as far as they are not the right side's; the
+    offset after them, or why not."""
+    pair = tables.pairs[0]
+    right = tables.pairs[1]
+    end = at
+    if equal_wheels:
+        pair.radius = right.radius
+        pair.wheel = right.wheel
+        pair.wheel_curvature = right.wheel_curvature
+    else:
+        end = write_wheel(setup, tables, pair, setup.left_radius, end, wheel, work)
+    if equal_rails:
+        pair.rail_y = right.rail_y
+        pair.rail = right.rail
+        pair.rail_curvature = right.rail_curvature
+        pair.rail_arc = right.rail_arc
+        pair.rail_at_arc = right.rail_at_arc
+    elif end >= 0:
+        end = write_rail(setup, tables, pair, setup.left_inclination, end, rail, work)
+    if equal_wheels and equal_rails:
+        pair.scan = right.scan
+    elif end >= 0:
+        end = write_scan(setup, tables, pair, end, work)
+    return end
+
+
+def prepare(setup: Setup, wheel: 'float[:]', rail: 'float[:]', left_wheel: 'float[:]', left_rail: 'float[:]',
+            fixed: 'float[:]', tables: Tables, work: 'float[:]'):
+    """Everything but starts and methods into ``tables``; how many numbers of it are used, or why not.
+
+    The definitions are those of both sides; the workspace holds one of them and as much again as the tables.
+    """
+    for i in range(SETTING_COUNT):
+        tables[i] = 0.0
+    write_settings(setup, tables)
+    at = write_common(setup, tables, fixed)
+    setup.side = 1
+    if at >= 0:
+        at = write_right(setup, tables, at, wheel, rail, work)
+    if at >= 0:
+        setup.side = 0
+        equal_wheels = (setup.left_radius == setup.parameters.nominal_radius
+                        and same_numbers(left_wheel, wheel))
+        equal_rails = (setup.left_inclination == setup.parameters.rail_inclination
+                       and same_numbers(left_rail, rail))
+        at = write_left(setup, tables, at, left_wheel, left_rail, work, equal_wheels, equal_rails)
+    return at
+
+
+def same_numbers(one: 'float[:]', other: 'float[:]') -> bool:
+    """Whether two definitions are equal; a number that is none equals itself."""
+    if one.shape[0] != other.shape[0]:
+        return False
+    for i in range(one.shape[0]):
+        if one[i] != other[i] and not (one[i] != one[i] and other[i] != other[i]):
+            return False
+    return True
+
+
+def equal_sides(tables: Tables) -> bool:
+    """Whether both sides have the same wheel and rail."""
+    left = tables.pairs[0]
+    right = tables.pairs[1]
+    return (offset(left.wheel, tables) == offset(right.wheel, tables)
+            and offset(left.rail, tables) == offset(right.rail, tables))
 
 
 def start_shift(tables: Tables, row: int):
@@ -281,13 +342,13 @@ def note_start(tables: Tables, outputs: Outputs, row: int, status: int):
         start.right = outputs.left[1].y_wheel
 
 
-def open_starts(tables: Tables, equal: bool):
+def open_starts(tables: Tables):
     """Let the search use the table of starts, once its last row is known.
 
-    Where both sides are equal, ``equal``, rows of opposite shifts are made mirror images of each other to
+    Where both sides are equal, rows of opposite shifts are made mirror images of each other to
     the last bit: a wheelset and its mirror image start alike.
     """
-    if equal:
+    if equal_sides(tables):
         mirror_starts(tables)
     tables.starts.count = float(START_COUNT)
 

@@ -11,7 +11,7 @@ The raster is the wheel's outline over the rail, at the nodes of the raster and 
 from math import fabs
 from typing import Final
 
-from ..layout import EXPONENTS, Place, Scan, Tables, inlined
+from ..layout import EXPONENTS, Pair, Place, Scan, inlined
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
@@ -52,31 +52,31 @@ def node_below(scan: Scan, y: float):
     return node
 
 
-def node_gap(tables: Tables, at: Place, node: int):
+def node_gap(pair: Pair, at: Place, node: int):
     """Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``."""
-    point = tables.scan.nodes[node]
+    point = pair.scan.nodes[node]
     y_track, z_track, outline_slope = outline_point(at, point.y, point.height, point.slope)
-    abscissa = y_track - tables.rail_y
-    height, rail_slope = height_slope(tables.rail, abscissa)
+    abscissa = y_track - pair.rail_y
+    height, rail_slope = height_slope(pair.rail, abscissa)
     return height - z_track, rail_slope - outline_slope, abscissa
 
 
-def rail_below(tables: Tables, at: Place, y: float):
+def rail_below(pair: Pair, at: Place, y: float):
     """Abscissa on the rail [m] below wheel abscissa ``y`` [m]."""
-    z, slope = height_slope(tables.wheel, y)
+    z, slope = height_slope(pair.wheel, y)
     y_track, z_track, outline_slope = outline_point(at, y, z, slope)
-    return y_track - tables.rail_y
+    return y_track - pair.rail_y
 
 
-def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: float) -> bool:
+def leaves_rail(pair: Pair, at: Place, node: int, direction: int, abscissa: float) -> bool:
     """Whether the outline, beside the rail at node ``node``, does not come back above it further
     in ``direction``.
 
     Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
     reach over a rail that ends below the flange root.
     """
-    scan = tables.scan
-    rail = tables.rail
+    scan = pair.scan
+    rail = pair.rail
     apart = abscissa - rail.stop
     if direction < 0:
         apart = rail.start - abscissa
@@ -88,14 +88,14 @@ def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: 
     return apart > reach
 
 
-def above_rail_end(tables: Tables, at: Place, node: int, outward: int):
+def above_rail_end(pair: Pair, at: Place, node: int, outward: int):
     """Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
     next one ``outward`` (1 or -1)."""
-    inside = tables.scan.nodes[node].y
-    outside = tables.scan.nodes[node + outward].y
+    inside = pair.scan.nodes[node].y
+    outside = pair.scan.nodes[node + outward].y
     while fabs(outside - inside) > END_SHARP:
         middle = 0.5 * (inside + outside)
-        if above_rail(tables, rail_below(tables, at, middle)):
+        if above_rail(pair, rail_below(pair, at, middle)):
             inside = middle
         else:
             outside = middle

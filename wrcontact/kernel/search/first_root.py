@@ -15,8 +15,8 @@ settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Place, RollTrial,
-                      RollTrials, Sides, Tables)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Pair, Place,
+                      RollTrial, RollTrials, Sides, Tables, copy)
 from ..surface.locus import around_wheel, outline_point
 from ..surface.tables import height_slope
 from .bounds import REACH_SHARE, node_below
@@ -36,34 +36,33 @@ LEANING_SHARE: Final[float] = 1.1
 FASTER: Final[float] = 1.5
 
 
-def solve_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
-               guess: float, warm: bool):
+def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, guess: float, warm: bool):
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
     no roll does not decide that.
     """
-    roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, guess, warm)
+    roll, status = certified_roll(tables, inputs, sides, trials, guess, warm)
     if status != VALID and (guess != 0.0 or warm):
-        roll, status = certified_roll(left_tables, right_tables, inputs, sides, trials, 0.0, False)
+        roll, status = certified_roll(tables, inputs, sides, trials, 0.0, False)
     return roll, status
 
 
-def certified_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides,
-                   trials: RollTrials, guess: float, warm: bool):
+def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, guess: float,
+                   warm: bool):
     """``solve_roll`` from this start alone."""
-    roll, status = any_roll(left_tables, right_tables, inputs, sides, guess, warm)
-    if status == VALID and not falls_at_zero_roll(left_tables, right_tables, sides, roll):
-        if not is_certainly_first(left_tables, right_tables, sides, roll):
-            roll, status = first_root(left_tables, right_tables, sides, trials, roll)
+    roll, status = any_roll(tables, inputs, sides, guess, warm)
+    if status == VALID and not falls_at_zero_roll(tables, sides, roll):
+        if not is_certainly_first(tables, sides, roll):
+            roll, status = first_root(tables, sides, trials, roll)
     return roll, status
 
 
-def falls_at_zero_roll(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float) -> bool:
+def falls_at_zero_roll(tables: Tables, sides: Sides, roll: float) -> bool:
     """Whether D falls through its known root at ``roll``, and that is zero roll."""
     falls = False
     if fabs(roll) < APART:
-        difference, move = newton_move(left_tables, right_tables, sides)
+        difference, move = newton_move(tables, sides)
         if fabs(move) < 0.5:
             falls = True
     return falls
@@ -77,41 +76,41 @@ def lever_per_roll(steep: float, radius: float, arm: float):
     return LEVER_TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
 
 
-def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
+def largest_lever_beyond(pair: Pair, y: float, roll: float, sine: float):
     """The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
     ``roll`` [rad] and the yaw whose sine is given."""
-    scan = tables.scan
+    scan = pair.scan
     lever = scan.nodes[node_below(scan, y)].lever
-    radius = tables.radius
-    arm = tables.arm
+    radius = pair.radius
+    arm = pair.tables.arm
     steep = fabs(lever + arm) / radius
     yawed = LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
     return lever + lever_per_roll(steep, radius, arm) * fabs(roll) + yawed
 
 
-def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: float) -> bool:
+def is_beside_rail(pair: Pair, at: Place, known: float, roll: float, sine: float) -> bool:
     """Whether all places of a wheel whose levers are not below -``known`` [m] are beside the
     rail at zero roll."""
-    scan = tables.scan
+    scan = pair.scan
     low = -1
     high = scan.count - 1
     while high - low > 1:
         middle = (low + high) // 2
-        if known + largest_lever_beyond(tables, scan.nodes[middle].y, roll, sine) < 0.0:
+        if known + largest_lever_beyond(pair, scan.nodes[middle].y, roll, sine) < 0.0:
             high = middle
         else:
             low = middle
     beside = True
     if low >= 0:
-        reach = REACH_SHARE * sine * sine * tables.radius * scan.steepest
-        reach += LEANING_SHARE * tables.radius * fabs(at.rail_sin)
-        furthest = at.shift + tables.arm + scan.nodes[high].y + reach
-        if furthest > tables.rail_y + tables.rail.start:
+        reach = REACH_SHARE * sine * sine * pair.radius * scan.steepest
+        reach += LEANING_SHARE * pair.radius * fabs(at.rail_sin)
+        furthest = at.shift + pair.tables.arm + scan.nodes[high].y + reach
+        if furthest > pair.rail_y + pair.rail.start:
             beside = False
     return beside
 
 
-def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float) -> bool:
+def is_certainly_first(tables: Tables, sides: Sides, roll: float) -> bool:
     """Whether D falls all the way from zero roll to its root at ``roll``, as far as the
     steepest places tell.
 
@@ -123,19 +122,19 @@ def is_certainly_first(left_tables: Tables, right_tables: Tables, sides: Sides, 
     turned = fabs(roll) + LEANING_SHARE * max(fabs(sides[0].place.rail_sin), fabs(sides[1].place.rail_sin))
     certain = False
     if roll < 0.0:
-        known = largest_lever_beyond(right_tables, sides[1].best_y, turned, sine)
-        certain = is_beside_rail(left_tables, sides[0].place, known, turned, sine)
+        known = largest_lever_beyond(tables.pairs[1], sides[1].best_y, turned, sine)
+        certain = is_beside_rail(tables.pairs[0], sides[0].place, known, turned, sine)
         if not certain:
-            certain = falls_from_zero_roll(left_tables, sides, 0, known, roll, turned)
+            certain = falls_from_zero_roll(tables.pairs[0], sides, 0, known, roll, turned)
     else:
-        known = largest_lever_beyond(left_tables, sides[0].best_y, turned, sine)
-        certain = is_beside_rail(right_tables, sides[1].place, known, turned, sine)
+        known = largest_lever_beyond(tables.pairs[0], sides[0].best_y, turned, sine)
+        certain = is_beside_rail(tables.pairs[1], sides[1].place, known, turned, sine)
         if not certain:
-            certain = falls_from_zero_roll(right_tables, sides, 1, known, roll, turned)
+            certain = falls_from_zero_roll(tables.pairs[1], sides, 1, known, roll, turned)
     return certain
 
 
-def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, known: float, roll: float,
+def falls_from_zero_roll(pair: Pair, sides: Sides, index: int, known: float, roll: float,
                          turned: float) -> bool:
     """Whether D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
     ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
@@ -146,9 +145,9 @@ def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, known: float,
     abscissa = lower.best_rail
     certain = False
     turn_both(sides, 0.0)
-    followed = follow_side(tables, lower)
-    if search_side(tables, lower, followed):
-        if known + largest_lever_beyond(tables, lower.best_y, turned, sides[1].place.sin_yaw) < 0.0:
+    followed = follow_side(pair, lower)
+    if search_side(pair, lower, followed):
+        if known + largest_lever_beyond(pair, lower.best_y, turned, sides[1].place.sin_yaw) < 0.0:
             certain = True
     turn_both(sides, roll)
     lower.best = gap
@@ -160,10 +159,10 @@ def falls_from_zero_roll(tables: Tables, sides: Sides, index: int, known: float,
 # --- the second certificate: the places of the wheels between their contacts ------------------------------
 
 
-def lever_at(tables: Tables, at: Place, y: float):
+def lever_at(pair: Pair, at: Place, y: float):
     """How the gap at ``y`` [m] would change with the roll if the rail there were
     parallel to the wheel [m]."""
-    z, slope = height_slope(tables.wheel, y)
+    z, slope = height_slope(pair.wheel, y)
     y_track, z_track, outline_slope = outline_point(at, y, z, slope)
     sin_phi, cos_phi = around_wheel(at, slope)
     arm = at.arm + y
@@ -174,16 +173,16 @@ def lever_at(tables: Tables, at: Place, y: float):
             - arm * cos_roll + height * sin_roll)
 
 
-def lever_range(tables: Tables, at: Place, one: float, other: float):
+def lever_range(pair: Pair, at: Place, one: float, other: float):
     """Smallest and largest ``lever_at`` between two places of the wheel [m]."""
-    scan = tables.scan
+    scan = pair.scan
     y = one
     last = other
     if other < one:
         y = other
         last = one
     node = node_below(scan, y)
-    before = lever_at(tables, at, y)
+    before = lever_at(pair, at, y)
     at.gap_count += 1.0
     least = before
     most = before
@@ -193,7 +192,7 @@ def lever_range(tables: Tables, at: Place, one: float, other: float):
         following = scan.nodes[node].y
         if following > last or following <= y:
             following = last
-        lever = lever_at(tables, at, following)
+        lever = lever_at(pair, at, following)
         at.gap_count += 1.0
         beyond = 0.5 * FASTER * bend * (following - y) * (at.radius + at.arm)
         least = min(least, min(lever, before) - beyond)
@@ -217,26 +216,17 @@ def note_root(trial: RollTrial, sides: Sides, roll: float):
     trial.difference = 0.0
 
 
-def copy_trial(trial: RollTrial, to: RollTrial):
-    """Copy what is known of D at a roll."""
-    to.roll = trial.roll
-    to.difference = trial.difference
-    to.left = trial.left
-    to.right = trial.right
-
-
-def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, near: RollTrial, far: RollTrial,
-                sign: float) -> bool:
+def has_no_root(tables: Tables, sides: Sides, near: RollTrial, far: RollTrial, sign: float) -> bool:
     """Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
     ``sign`` or, at ``far``, is zero."""
     width = fabs(far.roll - near.roll)
     turn_both(sides, 0.5 * (far.roll + near.roll))
-    left_least, left_most = lever_range(left_tables, sides[0].place, near.left, far.left)
-    right_least, right_most = lever_range(right_tables, sides[1].place, near.right, far.right)
-    arm = right_tables.arm
-    radius = max(left_tables.radius, right_tables.radius)
+    left_least, left_most = lever_range(tables.pairs[0], sides[0].place, near.left, far.left)
+    right_least, right_most = lever_range(tables.pairs[1], sides[1].place, near.right, far.right)
+    arm = tables.arm
+    radius = max(tables.pairs[0].radius, tables.pairs[1].radius)
     steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most)))
-             + arm) / min(left_tables.radius, right_tables.radius)
+             + arm) / min(tables.pairs[0].radius, tables.pairs[1].radius)
     margin = width * lever_per_roll(steep, radius, arm)
     least = left_least + right_least - margin
     most = left_most + right_most + margin
@@ -249,12 +239,12 @@ def has_no_root(left_tables: Tables, right_tables: Tables, sides: Sides, near: R
     return meet >= width or at_near + least * meet > 0.0
 
 
-def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: RollTrials, roll: float):
+def first_root(tables: Tables, sides: Sides, trials: RollTrials, roll: float):
     """The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``."""
     near = trials.near
     note_root(trials.far[0], sides, roll)
     turn_both(sides, 0.0)
-    if not search_both(left_tables, right_tables, sides, False):
+    if not search_both(tables, sides, False):
         return 0.0, OFF_PROFILE
     note_trial(near, sides, 0.0)
     if near.difference == 0.0:
@@ -268,21 +258,20 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
         last = 0.0
     status = VALID
     if sign * roll < 0.0:
-        roll, status = roll_between(left_tables, right_tables, sides, 0.5 * (first + last), first, last,
-                                    False)
+        roll, status = roll_between(tables, sides, 0.5 * (first + last), first, last, False)
         note_root(trials.far[0], sides, roll)
     end = 0
     trial = 0
     while end >= 0 and status == VALID:
         far = trials.far[end]
         width = fabs(far.roll - near.roll)
-        if width < APART or has_no_root(left_tables, right_tables, sides, near, far, sign):
-            copy_trial(far, near)
+        if width < APART or has_no_root(tables, sides, near, far, sign):
+            copy(far, near)
             end -= 1
         else:
             middle = 0.5 * (far.roll + near.roll)
             turn_both(sides, middle)
-            if not search_both(left_tables, right_tables, sides, False):
+            if not search_both(tables, sides, False):
                 status = OFF_PROFILE
             elif sign * (sides[1].best - sides[0].best) > 0.0:
                 end += 1
@@ -290,19 +279,18 @@ def first_root(left_tables: Tables, right_tables: Tables, sides: Sides, trials: 
             else:
                 # a root before: it is the known one now
                 end = 0
-                roll, status = root_before(left_tables, right_tables, sides, near.roll, middle, sign)
+                roll, status = root_before(tables, sides, near.roll, middle, sign)
                 note_root(trials.far[0], sides, roll)
         trial += 1
         if trial == ROOT_TRIALS or end >= TRIAL_LIMIT - 2:
             status = NOT_CONVERGED
     if status == VALID:
         turn_both(sides, roll)
-        search_both(left_tables, right_tables, sides, False)
+        search_both(tables, sides, False)
     return roll, status
 
 
-def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, near: float, middle: float,
-                sign: float):
+def root_before(tables: Tables, sides: Sides, near: float, middle: float, sign: float):
     """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
     it has not; and the outcome."""
     first = near
@@ -310,4 +298,4 @@ def root_before(left_tables: Tables, right_tables: Tables, sides: Sides, near: f
     if sign < 0.0:
         first = middle - APART
         last = near
-    return roll_between(left_tables, right_tables, sides, middle, first, last, False)
+    return roll_between(tables, sides, middle, first, last, False)

@@ -15,8 +15,8 @@ shifts.  A start sets the cost and never the answer, which is certified.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Place, SideSearch, Sides, Starts,
-                      Tables)
+from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Pair, Place, SideSearch, Sides,
+                      Starts, Tables)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from ..surface.rails import lean_rail, move_rail, turn_leaning
@@ -50,21 +50,21 @@ def nearest_start(starts: Starts, shift: float):
     return row
 
 
-def place_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):
+def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, right_tables.radius,
-                   right_tables.height, right_tables.arm)
-    mirror_place(sides[1].place, sides[0].place, left_tables.radius)
+    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, tables.pairs[1].radius,
+                   tables.height, tables.arm)
+    mirror_place(sides[1].place, sides[0].place, tables.pairs[0].radius)
     move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
     if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
-        lean_both(left_tables, right_tables, inputs, sides, roll)
+        lean_both(tables, inputs, sides, roll)
 
 
-def lean_both(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, roll: float):
+def lean_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Let both rails have their roll below wheels that are placed at ``roll``."""
-    lean_rail(sides[1].place, right_tables.rail_y, inputs.right_rail_roll)
-    lean_rail(sides[0].place, left_tables.rail_y, -inputs.left_rail_roll)
+    lean_rail(sides[1].place, tables.pairs[1].rail_y, inputs.right_rail_roll)
+    lean_rail(sides[0].place, tables.pairs[0].rail_y, -inputs.left_rail_roll)
     turn_both(sides, roll)
 
 
@@ -86,27 +86,27 @@ def restore_yaw(place: Place):
     place.cos_yaw = place.track_cos_yaw
 
 
-def search_both(left_tables: Tables, right_tables: Tables, sides: Sides, known: bool) -> bool:
+def search_both(tables: Tables, sides: Sides, known: bool) -> bool:
     """Search both sides; whether both wheels are above their rails."""
-    left = search_side(left_tables, sides[0], known)
-    right = search_side(right_tables, sides[1], known)
+    left = search_side(tables.pairs[0], sides[0], known)
+    right = search_side(tables.pairs[1], sides[1], known)
     return left and right
 
 
-def follow_side(tables: Tables, side: SideSearch) -> bool:
+def follow_side(pair: Pair, side: SideSearch) -> bool:
     """Move a side's known smallest gap to this roll's by Newton's method; whether it is found near."""
     at = side.place
-    wheel = tables.wheel
+    wheel = pair.wheel
     y = side.best_y
     for i in range(FOLLOW_STEPS):
-        gap, mismatch, rate = vertical_gap(tables, at, y)
+        gap, mismatch, rate = vertical_gap(pair, at, y)
         at.gap_count += 1.0
         if not rate > 0.0:
             return False
         move = -mismatch / rate
         if fabs(move) < SHARP:
-            abscissa = rail_below(tables, at, y)
-            if not above_rail(tables, abscissa):
+            abscissa = rail_below(pair, at, y)
+            if not above_rail(pair, abscissa):
                 return False
             keep_known(side, y, gap, abscissa)
             return True
@@ -116,19 +116,18 @@ def follow_side(tables: Tables, side: SideSearch) -> bool:
     return False
 
 
-def newton_move(left_tables: Tables, right_tables: Tables, sides: Sides):
+def newton_move(tables: Tables, sides: Sides):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
     difference = sides[1].best - sides[0].best
-    rate = (gap_per_roll(right_tables, sides[1].place, sides[1].best_y)
-            + gap_per_roll(left_tables, sides[0].place, sides[0].best_y))
+    rate = (gap_per_roll(tables.pairs[1], sides[1].place, sides[1].best_y)
+            + gap_per_roll(tables.pairs[0], sides[0].place, sides[0].best_y))
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
     return difference, move
 
 
-def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float, low: float,
-                    high: float):
+def equalize_minima(tables: Tables, sides: Sides, roll: float, low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value: whether found.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
@@ -142,10 +141,11 @@ def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, rol
         sides[0].place.gap_count += 1.0
         sides[1].place.gap_count += 1.0
         turn_both(sides, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(
-            left_tables, sides[0].place, left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(
-            right_tables, sides[1].place, right)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables.pairs[0],
+                                                                                       sides[0].place, left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables.pairs[1],
+                                                                                             sides[1].place,
+                                                                                             right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, False
         move_left = -mismatch_left / rate_left
@@ -159,8 +159,8 @@ def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, rol
         move_left += turn_left * move / rate_left
         move_right -= turn_right * move / rate_right
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
-            if (not on_profiles(left_tables, left, rail_left)
-                or not on_profiles(right_tables, right, rail_right)):
+            if (not on_profiles(tables.pairs[0], left, rail_left)
+                or not on_profiles(tables.pairs[1], right, rail_right)):
                 return roll, False
             keep_known(sides[0], left, gap_left, rail_left)
             keep_known(sides[1], right, gap_right, rail_right)
@@ -176,10 +176,10 @@ def equalize_minima(left_tables: Tables, right_tables: Tables, sides: Sides, rol
     return roll, False
 
 
-def on_profiles(tables: Tables, y: float, abscissa: float) -> bool:
+def on_profiles(pair: Pair, y: float, abscissa: float) -> bool:
     """Whether there is a wheel at ``y`` and a rail at ``abscissa`` [m]."""
-    wheel = tables.wheel
-    on = above_rail(tables, abscissa)
+    wheel = pair.wheel
+    on = above_rail(pair, abscissa)
     if y < wheel.start or y > wheel.stop:
         on = False
     return on
@@ -192,8 +192,7 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     side.best_rail = abscissa
 
 
-def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: float, first: float,
-                 last: float, known: bool):
+def roll_between(tables: Tables, sides: Sides, roll: float, first: float, last: float, known: bool):
     """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
@@ -208,7 +207,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: 
             turn_both(sides, roll)
         before_left = sides[0].best_y
         before_right = sides[1].best_y
-        found = search_both(left_tables, right_tables, sides, known)
+        found = search_both(tables, sides, known)
         if known and before_left == sides[0].best_y and before_right == sides[1].best_y:
             return roll, VALID
         known = False
@@ -218,7 +217,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: 
             return roll, OFF_PROFILE
         move = 1.0
         if found:
-            difference, move = newton_move(left_tables, right_tables, sides)
+            difference, move = newton_move(tables, sides)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
         if difference > 0.0:
@@ -235,7 +234,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: 
         elif fabs(move) > LONGEST_TURN:
             roll += move
         else:
-            balanced, known = equalize_minima(left_tables, right_tables, sides, roll + move, low, high)
+            balanced, known = equalize_minima(tables, sides, roll + move, low, high)
             roll += move
             if known:
                 roll = balanced
@@ -248,8 +247,7 @@ def roll_between(left_tables: Tables, right_tables: Tables, sides: Sides, roll: 
     return roll, status
 
 
-def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: Sides, guess: float,
-             warm: bool):
+def any_roll(tables: Tables, inputs: Inputs, sides: Sides, guess: float, warm: bool):
     """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
@@ -258,13 +256,13 @@ def any_roll(left_tables: Tables, right_tables: Tables, inputs: Inputs, sides: S
     if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
         start = 0.0
     known = False
-    place_both(left_tables, right_tables, inputs, sides, start)
+    place_both(tables, inputs, sides, start)
     if warm:
-        balanced, known = equalize_minima(left_tables, right_tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT)
+        balanced, known = equalize_minima(tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT)
         if known:
             start = balanced
-    roll, status = roll_between(left_tables, right_tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT, known)
+    roll, status = roll_between(tables, sides, start, -ROLL_LIMIT, ROLL_LIMIT, known)
     if status != VALID and start != 0.0:
         # far from zero roll a wheel may be beside its rail, and D without a sign
-        roll, status = roll_between(left_tables, right_tables, sides, 0.0, -ROLL_LIMIT, ROLL_LIMIT, False)
+        roll, status = roll_between(tables, sides, 0.0, -ROLL_LIMIT, ROLL_LIMIT, False)
     return roll, status

@@ -18,7 +18,7 @@ nodes, does not look between them, and ends at the first node beside the rail.
 from math import fabs
 from typing import Final
 
-from ..layout import EXPONENTS, Cell, Place, SideSearch, Tables
+from ..layout import EXPONENTS, Cell, Pair, Place, SideSearch
 from ..surface.gap import FOLDED, above_rail, vertical_gap
 from .bounds import (above_rail_end, bend_bounds, clear_exponent, leaves_rail, node_below, node_gap,
                      only_rises_or_falls, rising_from_minimum)
@@ -53,14 +53,13 @@ def cell_ends(cell: Cell):
     return cell.low, cell.high, cell.gap_low, cell.gap_high, cell.mismatch_low, cell.mismatch_high
 
 
-def search_cell(tables: Tables, side: SideSearch, least: float, most: float, first: float,
-                last: float):
+def search_cell(pair: Pair, side: SideSearch, least: float, most: float, first: float, last: float):
     """Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
     while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
     second derivative [1/m]."""
     at = side.place
-    gap_low, mismatch_low, rate = vertical_gap(tables, at, first)
-    gap_high, mismatch_high, rate = vertical_gap(tables, at, last)
+    gap_low, mismatch_low, rate = vertical_gap(pair, at, first)
+    gap_high, mismatch_high, rate = vertical_gap(pair, at, last)
     at.gap_count += 2.0
     write_cell(side.stack[0], first, last, gap_low, gap_high, mismatch_low, mismatch_high)
     depth = 1
@@ -79,11 +78,11 @@ def search_cell(tables: Tables, side: SideSearch, least: float, most: float, fir
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
             steady = only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) and not folded
             if turns and (least > 0.0 or width <= NARROW):
-                y, gap = refine_minimum(tables, at, cell)
+                y, gap = refine_minimum(pair, at, cell)
                 keep_refined(side, y, gap, width)
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
-                gap, mismatch, rate = vertical_gap(tables, at, middle)
+                gap, mismatch, rate = vertical_gap(pair, at, middle)
                 at.gap_count += 1.0
                 write_cell(side.stack[depth + 1], middle, high, gap, gap_high, mismatch, mismatch_high)
                 write_cell(cell, low, middle, gap_low, gap, mismatch_low, mismatch)
@@ -109,7 +108,7 @@ def keep_refined(side: SideSearch, y: float, gap: float, width: float):
         side.best_y = y
 
 
-def refine_minimum(tables: Tables, at: Place, cell: Cell):
+def refine_minimum(pair: Pair, at: Place, cell: Cell):
     """Abscissa [m] and gap [m] where the slope difference vanishes in a cell:
     bracketed Newton's method."""
     low = cell.low
@@ -117,7 +116,7 @@ def refine_minimum(tables: Tables, at: Place, cell: Cell):
     y = low - cell.mismatch_low * (high - low) / (cell.mismatch_high - cell.mismatch_low)
     gap = 0.0
     for i in range(REFINEMENTS):
-        gap, mismatch, rate = vertical_gap(tables, at, y)
+        gap, mismatch, rate = vertical_gap(pair, at, y)
         at.gap_count += 1.0
         if mismatch < 0.0:
             low = y
@@ -136,9 +135,9 @@ def refine_minimum(tables: Tables, at: Place, cell: Cell):
     return y, gap
 
 
-def walk(tables: Tables, side: SideSearch, node: int, direction: int):
+def walk(pair: Pair, side: SideSearch, node: int, direction: int):
     """Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel."""
-    scan = tables.scan
+    scan = pair.scan
     at = side.place
     count = scan.count
     exponent = EXPONENTS - 1
@@ -148,12 +147,12 @@ def walk(tables: Tables, side: SideSearch, node: int, direction: int):
     skipped = True
     beside = False
     while node >= 0 and node < count:
-        gap, mismatch, abscissa = node_gap(tables, at, node)
+        gap, mismatch, abscissa = node_gap(pair, at, node)
         at.gap_count += 1.0
-        if not above_rail(tables, abscissa):
+        if not above_rail(pair, abscissa):
             if not skipped and not beside:
-                search_end(tables, side, node - direction, direction)
-            if leaves_rail(tables, at, node, direction, abscissa):
+                search_end(pair, side, node - direction, direction)
+            if leaves_rail(pair, at, node, direction, abscissa):
                 return
             beside = True
             skipped = False
@@ -161,16 +160,16 @@ def walk(tables: Tables, side: SideSearch, node: int, direction: int):
         else:
             keep_smaller(side, scan.nodes[node].y, gap)
             if beside:
-                search_end(tables, side, node, -direction)
+                search_end(pair, side, node, -direction)
             elif not skipped:
                 if direction > 0:
                     write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap,
                                mismatch_before, mismatch)
-                    search_between(tables, side, node - 1, abscissa_before)
+                    search_between(pair, side, node - 1, abscissa_before)
                 else:
                     write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before,
                                mismatch, mismatch_before)
-                    search_between(tables, side, node, abscissa)
+                    search_between(pair, side, node, abscissa)
             beside = False
             gap_before = gap
             mismatch_before = mismatch
@@ -186,46 +185,46 @@ def walk(tables: Tables, side: SideSearch, node: int, direction: int):
             exponent += 1
 
 
-def search_between(tables: Tables, side: SideSearch, node: int, abscissa: float):
+def search_between(pair: Pair, side: SideSearch, node: int, abscissa: float):
     """Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold a
     smaller gap.
 
     abscissa : of ``node`` on the rail [m].
     """
-    least, most = bend_bounds(tables.scan, side.place, node, abscissa)
+    least, most = bend_bounds(pair.scan, side.place, node, abscissa)
     cell = side.stack[0]
     width = cell.high - cell.low
     if min(cell.gap_low, cell.gap_high) - most * width * width / 8.0 < side.best:
-        search_cell(tables, side, least, most, cell.low, cell.high)
+        search_cell(pair, side, least, most, cell.low, cell.high)
 
 
-def search_end(tables: Tables, side: SideSearch, node: int, outward: int):
+def search_end(pair: Pair, side: SideSearch, node: int, outward: int):
     """Search between ``node``, above the rail, and the end of the rail, which lies before the next node
     ``outward`` (1 or -1)."""
     at = side.place
-    inner = tables.scan.nodes[node].y
-    end = above_rail_end(tables, at, node, outward)
+    inner = pair.scan.nodes[node].y
+    end = above_rail_end(pair, at, node, outward)
     low = min(inner, end)
     high = max(inner, end)
     cell = node
     if outward < 0:
         cell = node - 1
     if low < high:
-        gap, mismatch, abscissa = node_gap(tables, at, node)
-        gap, mismatch, beyond = node_gap(tables, at, node + outward)
+        gap, mismatch, abscissa = node_gap(pair, at, node)
+        gap, mismatch, beyond = node_gap(pair, at, node + outward)
         if beyond < abscissa:
-            abscissa = tables.rail.start
-        least, most = bend_bounds(tables.scan, at, cell, abscissa)
-        search_cell(tables, side, -1.0, most, low, high)
+            abscissa = pair.rail.start
+        least, most = bend_bounds(pair.scan, at, cell, abscissa)
+        search_cell(pair, side, -1.0, most, low, high)
 
 
-def search_side(tables: Tables, side: SideSearch, known: bool) -> bool:
+def search_side(pair: Pair, side: SideSearch, known: bool) -> bool:
     """Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
 
     With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
     smaller one is looked for.
     """
-    scan = tables.scan
+    scan = pair.scan
     at = side.place
     side.scan_count += 1.0
     if known:
@@ -233,41 +232,41 @@ def search_side(tables: Tables, side: SideSearch, known: bool) -> bool:
         ahead = rising_from_minimum(scan, at, side.best_y, 1, side.best_rail)
         behind = rising_from_minimum(scan, at, side.best_y, -1, side.best_rail)
         if ahead >= 0 and behind >= 0:
-            walk(tables, side, cell + (1 << ahead), 1)
-            walk(tables, side, cell + 1 - (1 << behind), -1)
+            walk(pair, side, cell + (1 << ahead), 1)
+            walk(pair, side, cell + 1 - (1 << behind), -1)
             return True
         node = cell
-        gap, mismatch, abscissa = node_gap(tables, at, node)
-        if not above_rail(tables, abscissa):
+        gap, mismatch, abscissa = node_gap(pair, at, node)
+        if not above_rail(pair, abscissa):
             node = cell + 1
     else:
         side.best = LARGE_GAP
-        node = best_node(tables, side, PROBE_STRIDE)
+        node = best_node(pair, side, PROBE_STRIDE)
         if node < 0:
-            node = best_node(tables, side, 1)
+            node = best_node(pair, side, 1)
         if node < 0:
             return False
-    walk(tables, side, node, 1)
-    walk(tables, side, node, -1)
+    walk(pair, side, node, 1)
+    walk(pair, side, node, -1)
     return True
 
 
-def best_node(tables: Tables, side: SideSearch, stride: int):
+def best_node(pair: Pair, side: SideSearch, stride: int):
     """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
     known; -1 if there is none."""
-    scan = tables.scan
+    scan = pair.scan
     at = side.place
     found = -1
     node = 0
     while node < scan.count:
-        gap, mismatch, abscissa = node_gap(tables, at, node)
+        gap, mismatch, abscissa = node_gap(pair, at, node)
         at.gap_count += 1.0
-        if above_rail(tables, abscissa):
+        if above_rail(pair, abscissa):
             if gap < side.best:
                 side.best = gap
                 side.best_y = scan.nodes[node].y
                 found = node
-        elif found >= 0 and leaves_rail(tables, at, node, 1, abscissa):
+        elif found >= 0 and leaves_rail(pair, at, node, 1, abscissa):
             return found
         node += stride
     return found

@@ -5,7 +5,7 @@ the profiles, and that of the wheel along the track.
 from math import sqrt
 from typing import Final
 
-from ..layout import LONGITUDINAL_BASIC, CurvatureTable, Place, Tables
+from ..layout import LONGITUDINAL_BASIC, CurvatureTable, Pair, Place, Tables
 from .locus import around_wheel
 from .tables import table_cell
 
@@ -22,11 +22,11 @@ def profile_curvature(table: CurvatureTable, y: float):
     return before + share * (table.curvatures[cell + 1] - before)
 
 
-def relative_curvature(tables: Tables, y: float, abscissa: float):
+def relative_curvature(pair: Pair, y: float, abscissa: float):
     """B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
     the source's eq. (6.5)."""
-    wheel = profile_curvature(tables.wheel_curvature, y)
-    rail = profile_curvature(tables.rail_curvature, abscissa)
+    wheel = profile_curvature(pair.wheel_curvature, y)
+    rail = profile_curvature(pair.rail_curvature, abscissa)
     return 0.5 * (wheel + rail)
 
 

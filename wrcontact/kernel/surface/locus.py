@@ -11,7 +11,7 @@ plane. Everything here is for a right wheel; the left one comes in mirrored (con
 
 from math import cos, sin, sqrt
 
-from ..layout import Place, Tables, inlined
+from ..layout import Pair, Place, inlined
 from .tables import height_slope
 
 
@@ -163,9 +163,9 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     return y_track, z_track, outline_slope, stretch, slope_rate
 
 
-def outline_x(tables: Tables, place: Place, y: float):
+def outline_x(pair: Pair, place: Place, y: float):
     """Track coordinate x [m] of the outline at wheel abscissa ``y`` [m], from the middle of the wheelset."""
-    z, slope = height_slope(tables.wheel, y)
+    z, slope = height_slope(pair.wheel, y)
     sin_phi, cos_phi = around_wheel(place, slope)
     r = place.radius + z
     lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll

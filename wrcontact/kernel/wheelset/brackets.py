@@ -151,44 +151,41 @@ def flatter_side(sides: Sides):
 
 
 @seldom
-def roll_residual(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
-                  right: float, flat: int):
+def roll_residual(tables: Tables, work: Work, roll: float, left: float, right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
     how much lower the right one carries its load than the left one [m], whether both can carry
     their loads, and the outcome."""
-    if not turn_to(left_tables, right_tables, work, roll):
+    if not turn_to(tables, work, roll):
         return 0.0, False, OFF_PROFILE
     work.sides[1].roll_count += 1.0
     if flat == 1:
-        residual, satisfied, status = level_residual(right_tables, left_tables, work, 1, right, left)
+        residual, satisfied, status = level_residual(tables, work, 1, right, left)
         residual = -residual
     else:
-        residual, satisfied, status = level_residual(left_tables, right_tables, work, 0, left, right)
+        residual, satisfied, status = level_residual(tables, work, 0, left, right)
     return residual, satisfied, status
 
 
 @seldom
-def level_residual(flat_tables: Tables, steep_tables: Tables, work: Work, flat: int, flat_force: float,
-                   steep_force: float):
+def level_residual(tables: Tables, work: Work, flat: int, flat_force: float, steep_force: float):
     """Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
     other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome."""
-    status = bracket_height(flat_tables, work, flat, flat_force)
+    status = bracket_height(tables, work, flat, flat_force)
     if status > UNLOADED:
         return 0.0, False, status
     height = work.supports[flat].height
-    residual, satisfied, outcome = height_residual(steep_tables, work, 1 - flat, steep_force, height)
+    residual, satisfied, outcome = height_residual(tables, work, 1 - flat, steep_force, height)
     work.supports[1 - flat].height = height
     status = max(status, outcome)
     return residual, satisfied, status
 
 
 @seldom
-def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
-                 right: float, flat: int):
+def enclose_roll(tables: Tables, work: Work, roll: float, left: float, right: float, flat: int):
     """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
     NOT_CONVERGED if there is none within ROLL_LIMIT."""
     bracket = work.roll_bracket
-    residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
+    residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return status
     bracket.low = roll
@@ -203,15 +200,13 @@ def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
             bracket.low = bracket.high
             bracket.at_low = bracket.at_high
             bracket.high = roll + reach
-            value, satisfied, status = roll_residual(left_tables, right_tables, work, bracket.high, left,
-                                                     right, flat)
+            value, satisfied, status = roll_residual(tables, work, bracket.high, left, right, flat)
             bracket.at_high = value
         else:
             bracket.high = bracket.low
             bracket.at_high = bracket.at_low
             bracket.low = roll - reach
-            value, satisfied, status = roll_residual(left_tables, right_tables, work, bracket.low, left,
-                                                     right, flat)
+            value, satisfied, status = roll_residual(tables, work, bracket.low, left, right, flat)
             bracket.at_low = value
         if status > UNLOADED:
             return status
@@ -220,20 +215,19 @@ def enclose_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
 
 
 @seldom
-def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
-                 right: float):
+def bracket_roll(tables: Tables, work: Work, roll: float, left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
     from the rigid ``roll``."""
     bracket = work.roll_bracket
     flat = flatter_side(work.sides)
-    status = enclose_roll(left_tables, right_tables, work, roll, left, right, flat)
+    status = enclose_roll(tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     residual = 0.0
     satisfied = False
     for i in range(BRACKETINGS):
         roll = next_in_bracket(bracket, i)
-        residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
+        residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
         if status > UNLOADED:
             return roll, status
         narrow_bracket(bracket, roll, residual)
@@ -246,15 +240,14 @@ def bracket_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: fl
             end = bracket.low
         if roll != end:
             roll = end
-            residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right,
-                                                        flat)
+            residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
     if not satisfied:
         # or the one whose nodes can carry the force
         other = bracket.low
         if roll == bracket.low:
             other = bracket.high
         roll = other
-        residual, satisfied, status = roll_residual(left_tables, right_tables, work, roll, left, right, flat)
+        residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
     if status <= UNLOADED:
         if not satisfied:
             status = NOT_CONVERGED

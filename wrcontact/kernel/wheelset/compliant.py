@@ -24,36 +24,36 @@ GRAZING: Final[float] = 1e-13
 
 
 @seldom
-def solve_compliant(left_tables: Tables, right_tables: Tables, work: Work):
+def solve_compliant(tables: Tables, work: Work):
     """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
-    place_both(left_tables, right_tables, work.inputs, work.sides, roll)
+    place_both(tables, work.inputs, work.sides, roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = height
-    if is_damped(right_tables):
-        open_given_motion(left_tables, right_tables, work)
-    if not search_both(left_tables, right_tables, work.sides, follow_starts(left_tables, right_tables, work)):
+    if is_damped(tables):
+        open_given_motion(tables, work)
+    if not search_both(tables, work.sides, follow_starts(tables, work)):
         return OFF_PROFILE
-    status = load_at_height(left_tables, work, 0, height)
-    outcome = load_at_height(right_tables, work, 1, height)
+    status = load_at_height(tables, work, 0, height)
+    outcome = load_at_height(tables, work, 1, height)
     status = max(status, outcome)
     return status
 
 
 @seldom
-def follow_starts(left_tables: Tables, right_tables: Tables, work: Work) -> bool:
+def follow_starts(tables: Tables, work: Work) -> bool:
     """Whether both smallest gaps could be followed from where they are known near the lateral shift."""
-    row = nearest_start(right_tables.starts, work.inputs.lateral_shift)
+    row = nearest_start(tables.starts, work.inputs.lateral_shift)
     known = False
     if row >= 0:
-        start = right_tables.starts.rows[row]
+        start = tables.starts.rows[row]
         work.sides[0].best_y = start.left
         work.sides[1].best_y = start.right
-        known = follow_side(left_tables, work.sides[0])
+        known = follow_side(tables.pairs[0], work.sides[0])
         if known:
-            known = follow_side(right_tables, work.sides[1])
+            known = follow_side(tables.pairs[1], work.sides[1])
     return known
 
 

@@ -49,41 +49,40 @@ LEAST_LEVER: Final[float] = 1e-2
 
 
 @seldom
-def solve_elastic(left_tables: Tables, right_tables: Tables, work: Work, roll: float, left: float,
-                  right: float):
+def solve_elastic(tables: Tables, work: Work, roll: float, left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
     are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known."""
-    status = estimate_approach(left_tables, work, 0, left)
+    status = estimate_approach(tables, work, 0, left)
     if status == VALID:
-        status = estimate_approach(right_tables, work, 1, right)
+        status = estimate_approach(tables, work, 1, right)
     if status != VALID:
         return roll, status
-    height, move = first_estimate(left_tables, right_tables, work)
+    height, move = first_estimate(tables, work)
     rigid_roll = roll
     roll += move
-    if not turn_near(left_tables, right_tables, work, roll):
+    if not turn_near(tables, work, roll):
         return roll, OFF_PROFILE
-    roll, status = iterate(left_tables, right_tables, work, roll, height, left, right)
+    roll, status = iterate(tables, work, roll, height, left, right)
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
     if status == NOT_CONVERGED:
-        roll, status = bracket_roll(left_tables, right_tables, work, rigid_roll, left, right)
+        roll, status = bracket_roll(tables, work, rigid_roll, left, right)
     return roll, status
 
 
 @seldom
-def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
+def first_estimate(tables: Tables, work: Work):
     """Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
     its rail as far as estimated."""
     left = work.supports[0]
     right = work.supports[1]
-    lever_left = side_lever(left_tables, work, 0, 0)
-    lever_right = side_lever(right_tables, work, 1, 0)
+    lever_left = side_lever(tables, work, 0, 0)
+    lever_right = side_lever(tables, work, 1, 0)
     move = 0.0
     if lever_left + lever_right < -LEAST_LEVER:
         move = (right.approach - left.approach) / -(lever_left + lever_right)
-    move = limited(move, LONGEST_MOVE / right_tables.arm)
+    move = limited(move, LONGEST_MOVE / tables.arm)
     # in one order for a wheelset and its mirror image
     height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move)
                                          + (right.approach + lever_right * move))
@@ -91,17 +90,16 @@ def first_estimate(left_tables: Tables, right_tables: Tables, work: Work):
 
 
 @seldom
-def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, height: float, left: float,
-            right: float):
+def iterate(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
     """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
     NOT_CONVERGED where it finds nothing."""
     method = work.broyden
-    arm = right_tables.arm
+    arm = tables.arm
     method.left = 0.0
     method.right = 0.0
     method.move_height = 0.0
     method.move_roll = 0.0
-    work.contact.coarse = has_coarse_form(right_tables)
+    work.contact.coarse = has_coarse_form(tables)
     for trial in range(TRIALS):
         moved = fabs(method.move_height) + fabs(method.move_roll)
         work.contact.filling = False
@@ -119,7 +117,7 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, 
                 # nor does the change from points that are followed to those of a search
                 method.move_height = 0.0
                 method.move_roll = 0.0
-        status = balance_both(left_tables, right_tables, work, left, right, height)
+        status = balance_both(tables, work, left, right, height)
         if status > UNLOADED:
             return roll, NOT_CONVERGED
         if trial == 0:
@@ -128,7 +126,7 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, 
         if not find_move(method, work.supports, arm):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
-            if work.contact.filling and gaps_hold(left_tables, right_tables, work, roll):
+            if work.contact.filling and gaps_hold(tables, work, roll):
                 for index in range(2):
                     work.supports[index].height = height + method.move_height
                 return roll + method.move_roll / arm, depth_outcome(work, status)
@@ -141,20 +139,20 @@ def iterate(left_tables: Tables, right_tables: Tables, work: Work, roll: float, 
         roll += method.move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
             return roll, NOT_CONVERGED
-        if not turn_near(left_tables, right_tables, work, roll):
+        if not turn_near(tables, work, roll):
             return roll, NOT_CONVERGED
     return roll, NOT_CONVERGED
 
 
 @seldom
-def gaps_hold(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
+def gaps_hold(tables: Tables, work: Work, roll: float) -> bool:
     """Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
 
     Between trials they are only followed: an answer is certified once.
     """
     left = work.sides[0].best_y
     right = work.sides[1].best_y
-    hold = turn_to(left_tables, right_tables, work, roll)
+    hold = turn_to(tables, work, roll)
     if work.sides[0].best_y != left or work.sides[1].best_y != right:
         hold = False
     return hold

@@ -13,7 +13,7 @@ outputs: with the velocity v of the centre and the rotation W of the wheelset, t
 
 from math import cos, fabs, sin
 
-from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work
+from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work, clear, copy
 from ..creep.friction import creep_gain
 from .requested import has_creep_forces
 
@@ -22,7 +22,7 @@ def sum_forces(tables: Tables, work: Work):
     """The forces on both wheels and on the wheelset."""
     total = work.wheelset.forces
     rubbing = has_creep_forces(tables, work)
-    clear_forces(total)
+    clear(total)
     for index in range(2):
         mirror = float(2 * index - 1)
         side = work.sides[index]
@@ -34,7 +34,7 @@ def sum_forces(tables: Tables, work: Work):
 
 def sum_side(side: SideSearch, rubbing: bool):
     """The forces on a wheel; with creep forces if its patches are ``rubbing``."""
-    clear_forces(side.forces)
+    clear(side.forces)
     for number in range(side.patch_count):
         patch = side.patches[number]
         press_patch(side.motion, patch)
@@ -46,18 +46,13 @@ def sum_side(side: SideSearch, rubbing: bool):
 def press_patch(motion: Motion, patch: Patch):
     """Let the forces of a patch be those of its pressures."""
     forces = patch.forces
-    forces.normal_force[0] = 0.0
+    clear(forces)
     forces.normal_force[1] = patch.normal_y
     forces.normal_force[2] = patch.normal_z
-    for i in range(3):
-        forces.normal_moment[i] = patch.normal_moment[i]
+    copy(patch.normal_moment, forces.normal_moment)
     forces.normal_moment[0] -= motion.centre_y * patch.normal_z - motion.centre_z * patch.normal_y
-    for i in range(3):
-        forces.force[i] = forces.normal_force[i]
-        forces.moment[i] = forces.normal_moment[i]
-    forces.driving_torque = 0.0
-    forces.friction_power = 0.0
-    forces.wear_number = 0.0
+    copy(forces.normal_force, forces.force)
+    copy(forces.normal_moment, forces.moment)
 
 
 def rub_patch(motion: Motion, patch: Patch):
@@ -106,18 +101,6 @@ def rub_patch(motion: Motion, patch: Patch):
     forces.driving_torque = -torque
     forces.friction_power = -patch.speed * creep_gain(patch)
     forces.wear_number = fabs(patch.creep_x * patch.creepage_x) + fabs(patch.creep_y * patch.creepage_y)
-
-
-def clear_forces(forces: Forces):
-    """No force, no moment and no power."""
-    for i in range(3):
-        forces.force[i] = 0.0
-        forces.moment[i] = 0.0
-        forces.normal_force[i] = 0.0
-        forces.normal_moment[i] = 0.0
-    forces.driving_torque = 0.0
-    forces.friction_power = 0.0
-    forces.wear_number = 0.0
 
 
 def add_forces(total: Forces, part: Forces, mirror: float):

@@ -7,9 +7,9 @@ normal from the rail to the wheel on both sides.
 
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, MODE_RIGID, PATCH_LIMIT, PATCH_OUTPUTS_SIZE, RUN_COUNT,
-                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SIDES_BOTH, STATION_COUNT, ContactPoint,
-                      Outline, Patch, PatchOutputs, SideOutputs, SideSearch, Tables, Vector, Work, offset)
+from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, MODE_RIGID, PATCH_LIMIT, RUN_COUNT, SIDES_BOTH,
+                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, ContactPoint, Outline, Patch,
+                      PatchOutputs, SideOutputs, SideSearch, Tables, Vector, Work, clear, offset)
 from .requested import has_creep_forces, is_requested
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
@@ -117,19 +117,13 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):
     """The heaviest patches of a wheel by falling load, and zeros for missing ones."""
     for rank in range(side.patch_count, PATCH_LIMIT):
-        clear_patch(out.patch[rank])
+        clear(out.patch[rank])
     for number in range(side.patch_count):
         rank = side.patches[number].rank
         if rank == 0 and number < PATCH_LIMIT:
-            clear_patch(out.patch[number])
+            clear(out.patch[number])
         elif rank > 0 and rank <= PATCH_LIMIT:
             report_patch(side.patches[number], out.patch[rank - 1], mirror)
-
-
-def clear_patch(out: PatchOutputs):
-    """No patch."""
-    for i in range(PATCH_OUTPUTS_SIZE):
-        out[i] = 0.0
 
 
 def report_patch(patch: Patch, out: PatchOutputs, mirror: float):

@@ -15,40 +15,40 @@ from .side import clear_side, solve_side
 NEAR_SHIFT: Final[float] = 2e-4
 
 
-def find_roll(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def find_roll(tables: Tables, work: Work, state: State):
     """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
     moved little, or at those known near its lateral shift."""
     shift = work.inputs.lateral_shift
     guess = work.inputs.roll_guess
     warm = False
     if guess == 0.0:
-        row = nearest_start(right_tables.starts, shift)
+        row = nearest_start(tables.starts, shift)
         if state.warm and (row < 0 or fabs(shift - state.shift) < NEAR_SHIFT):
             guess = state.roll
             work.sides[0].best_y = state.y_left
             work.sides[1].best_y = state.y_right
             warm = True
         elif row >= 0:
-            start = right_tables.starts.rows[row]
+            start = tables.starts.rows[row]
             guess = start.roll
             work.sides[0].best_y = start.left
             work.sides[1].best_y = start.right
             warm = True
     set_reference(work.sides, 0.0)
-    roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, guess, warm)
+    roll, status = solve_roll(tables, work.inputs, work.sides, work.trials, guess, warm)
     if status == VALID and is_leaning(work.sides):
-        roll, status = find_leaning_roll(left_tables, right_tables, work, roll)
+        roll, status = find_leaning_roll(tables, work, roll)
     return roll, status
 
 
-def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
+def find_leaning_roll(tables: Tables, work: Work, roll: float):
     """Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
     on: both are sought together with the vertical shift."""
     open_reference(work.reference, 0.0, work.sides[1].best)
     for i in range(MEETINGS):
         height = next_reference(work.reference, RIGID_MET)
         set_reference(work.sides, height)
-        roll, status = solve_roll(left_tables, right_tables, work.inputs, work.sides, work.trials, roll, True)
+        roll, status = solve_roll(tables, work.inputs, work.sides, work.trials, roll, True)
         if status != VALID:
             return roll, status
         if note_reference(work.reference, height, work.sides[1].best, RIGID_MET):
@@ -56,17 +56,17 @@ def find_leaning_roll(left_tables: Tables, right_tables: Tables, work: Work, rol
     return roll, NOT_CONVERGED
 
 
-def solve_rigid(left_tables: Tables, right_tables: Tables, work: Work, roll: float):
+def solve_rigid(tables: Tables, work: Work, roll: float):
     """Both wheels touch at ``roll``, and each carries its load there; the outcome."""
     status = VALID
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = work.sides[1].best
     clear_side(work.sides[0])
     clear_side(work.sides[1])
-    if is_requested(right_tables, 0):
-        status = solve_side(left_tables, work, 0, side_force(work, 0))
-    if is_requested(right_tables, 1):
-        outcome = solve_side(right_tables, work, 1, side_force(work, 1))
+    if is_requested(tables, 0):
+        status = solve_side(tables, work, 0, side_force(work, 0))
+    if is_requested(tables, 1):
+        outcome = solve_side(tables, work, 1, side_force(work, 1))
         status = max(status, outcome)
     return status
 

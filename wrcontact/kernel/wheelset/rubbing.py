@@ -26,33 +26,33 @@ from .requested import has_creep_forces, is_requested, is_rolling
 from .side import touch_side
 
 
-def open_given_motion(left_tables: Tables, right_tables: Tables, work: Work):
+def open_given_motion(tables: Tables, work: Work):
     """The motion as the inputs give it, at the wheelset's pose."""
     left = work.sides[0].motion
     right = work.sides[1].motion
-    open_motion(right_tables, left, work.inputs, work.wheelset, -1.0)
-    open_motion(right_tables, right, work.inputs, work.wheelset, 1.0)
-    open_left_rail(left_tables, left.rail, work.inputs)
-    open_right_rail(right_tables, right.rail, work.inputs)
+    open_motion(tables, left, work.inputs, work.wheelset, -1.0)
+    open_motion(tables, right, work.inputs, work.wheelset, 1.0)
+    open_left_rail(tables.pairs[0], left.rail, work.inputs)
+    open_right_rail(tables.pairs[1], right.rail, work.inputs)
     set_rates(left, right, work.inputs, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
-def move_patches(left_tables: Tables, right_tables: Tables, work: Work):
+def move_patches(tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
     velocity and roll rate are given, otherwise they follow from contact with both rails."""
     if not is_rolling(work.inputs):
         return
-    open_given_motion(left_tables, right_tables, work)
-    if right_tables.mode != MODE_COMPLIANT:
-        constrain_side(left_tables, work, 0)
-        constrain_side(right_tables, work, 1)
+    open_given_motion(tables, work)
+    if tables.mode != MODE_COMPLIANT:
+        constrain_side(tables, work, 0)
+        constrain_side(tables, work, 1)
         set_contact_rates(work.sides[0].motion, work.sides[1].motion, work.inputs)
     for index in range(2):
         side = work.sides[index]
         for number in range(side.patch_count):
             patch = side.patches[number]
             move_patch(side.motion, patch)
-            if right_tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+            if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
                 move_strips(side.motion, patch)
 
 
@@ -133,11 +133,11 @@ def strip_slip(patch: Patch, strip: RollingStrip):
     return slip
 
 
-def rub_patches(left_tables: Tables, right_tables: Tables, work: Work):
+def rub_patches(tables: Tables, work: Work):
     """Creep forces of all patches, if there are any."""
-    if has_creep_forces(right_tables, work):
-        rub_side(left_tables, work, 0, work.inputs.left_friction)
-        rub_side(right_tables, work, 1, work.inputs.right_friction)
+    if has_creep_forces(tables, work):
+        rub_side(tables, work, 0, work.inputs.left_friction)
+        rub_side(tables, work, 1, work.inputs.right_friction)
 
 
 def rub_side(tables: Tables, work: Work, index: int, friction: float):
@@ -156,6 +156,7 @@ def rub_side(tables: Tables, work: Work, index: int, friction: float):
 
 def open_rolling(tables: Tables, rolling: Rolling, patch: Patch, friction: float):
     """Friction of a patch, and the factor of its creepages that stands for a reduced slope."""
+    rolling.bare = False
     rolling.published = tables.parameters.published_spin == 1.0
     sliding = patch.speed * sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
     patch.friction = patch_friction(tables, friction, patch.contact_angle, sliding)

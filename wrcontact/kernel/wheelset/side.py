@@ -37,13 +37,14 @@ def describe_contact(tables: Tables, work: Work, index: int, y: float, aside: fl
     Whether this is a contact: the smallest gap at the end of a profile, or where a yawed outline is
     folded.
     """
+    pair = tables.pairs[index]
     place = work.sides[index].place
     frame = work.contact.frame
     region = work.contact.regions[0]
     point = work.sides[index].point
-    z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, place, y, aside, shift)
+    z, slope, y_track, rail_slope, mismatch = open_frame(pair, frame, place, y, aside, shift)
     sin_phi, cos_phi = around_wheel(place, slope)
-    r = tables.radius + z
+    r = pair.radius + z
     lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll
     x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
     if place.leaning:
@@ -53,10 +54,10 @@ def describe_contact(tables: Tables, work: Work, index: int, y: float, aside: fl
         sin_phi = ahead
     point.x_wheel = r * sin_phi
     point.y_wheel = y
-    point.z_wheel = r * cos_phi - tables.radius
+    point.z_wheel = r * cos_phi - pair.radius
     point.y_rail = frame.rail.y
     point.z_rail = frame.rail.z
-    y_track, z_track = on_track(place, tables.rail_y, y_track, frame.rail.z)
+    y_track, z_track = on_track(place, pair.rail_y, y_track, frame.rail.z)
     point.x_track = x_track
     point.y_track = y_track
     point.z_track = z_track
@@ -64,17 +65,17 @@ def describe_contact(tables: Tables, work: Work, index: int, y: float, aside: fl
     if place.leaning:
         point.contact_angle = -atan(rail_slope) - place.rail_roll
     point.rolling_radius = r
-    measure_contact(tables, frame)
+    measure_contact(pair, frame)
     open_contact_region(tables, frame, region)
     point.curvature_x = region.curvature
     point.curvature_y = region.bend
     if tables.lateral != LATERAL_ADAPTIVE:
-        point.curvature_y = 2.0 * relative_curvature(tables, y, frame.rail.y)
+        point.curvature_y = 2.0 * relative_curvature(pair, y, frame.rail.y)
     touches = True
     if fabs(mismatch) >= PARALLEL:
-        if fabs(mismatch) > CORNER or is_end(tables.wheel, y):
+        if fabs(mismatch) > CORNER or is_end(pair.wheel, y):
             touches = False
-        if is_end(tables.rail, frame.rail.y):
+        if is_end(pair.rail, frame.rail.y):
             touches = False
     return touches
 
@@ -93,8 +94,9 @@ def clear_side(side: SideSearch):
 def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
     regions and outcome."""
+    pair = tables.pairs[index]
     side = work.sides[index]
-    penetration, count, satisfied = solve_normal(tables, work.contact, side, force, prescribed)
+    penetration, count, satisfied = solve_normal(pair, work.contact, side, force, prescribed)
     side.penetration = penetration
     if not satisfied and count == 0:
         # it overlaps most at the end of a profile
@@ -102,11 +104,11 @@ def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: 
     if not satisfied:
         return count, NOT_CONVERGED
     if work.contact.filling:
-        place_patches(tables, work.contact, side)
+        place_patches(pair, work.contact, side)
         if tables.tangential != TANGENTIAL_NONE:
             for number in range(side.patch_count):
                 cut_patch(side.patches[number], work.contact.strips)
-                place_strips(tables, work.contact, side.patches[number])
+                place_strips(pair, work.contact, side.patches[number])
         if tables.depth == DEPTH_ALL:
             write_outline(side.outline, tables.stations, side, work.contact.strips, work.contact.regions,
                           count)
@@ -142,6 +144,7 @@ def solve_side(tables: Tables, work: Work, index: int, force: float):
 def press_side(tables: Tables, work: Work, index: int, approach: float):
     """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
     rail most; its outcome."""
+    pair = tables.pairs[index]
     side = work.sides[index]
     height = side.best + approach
     clear_side(side)
@@ -149,7 +152,7 @@ def press_side(tables: Tables, work: Work, index: int, approach: float):
         # it overlaps most at the end of a profile
         return OFF_PROFILE
     deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
-    aside, shift = touching_shift(tables, side.place, deepest)
+    aside, shift = touching_shift(pair, side.place, deepest)
     describe_contact(tables, work, index, deepest.wheel, aside, shift)
     press_frame(work.contact.frame, height, deepest.depth, 0.0)
     return VALID
@@ -158,12 +161,13 @@ def press_side(tables: Tables, work: Work, index: int, approach: float):
 def find_points(tables: Tables, contact: Contact, side: SideSearch, index: int, height: float):
     """List the deepest points of a wheel moved down by ``height`` [m]; how many.  Those of the last search
     are followed where the contact's ``following`` permits it."""
+    pair = tables.pairs[index]
     kept = contact.deep_points[index]
     count = 0
     if contact.following and kept.count > 0:
-        count = follow_overlaps(tables, contact.overlap, kept, side.place, height)
+        count = follow_overlaps(pair, contact.overlap, kept, side.place, height)
     if count == 0:
-        count = find_overlaps(tables, contact.overlap, side, height)
+        count = find_overlaps(pair, contact.overlap, side, height)
     keep_points(contact.overlap, kept)
     return count
 
@@ -171,6 +175,7 @@ def find_points(tables: Tables, contact: Contact, side: SideSearch, index: int, 
 def side_lever(tables: Tables, work: Work, index: int, count: int):
     """How the height at which a side carries its load follows the roll [m], from its regions'
     levers and stiffnesses."""
+    pair = tables.pairs[index]
     at = work.sides[index].place
     total = 0.0
     weight = 0.0
@@ -178,8 +183,8 @@ def side_lever(tables: Tables, work: Work, index: int, count: int):
         block = work.contact.regions[region]
         stiffness = block.stiffness * block.share * block.cos
         weight += stiffness
-        total += stiffness * gap_per_roll(tables, at, block.wheel)
-    lever = gap_per_roll(tables, at, work.sides[index].best_y)
+        total += stiffness * gap_per_roll(pair, at, block.wheel)
+    lever = gap_per_roll(pair, at, work.sides[index].best_y)
     if weight > 0.0:
         lever = total / weight
     return lever

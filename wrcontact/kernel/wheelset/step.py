@@ -8,7 +8,7 @@ writes the outputs.
 """
 
 from ..layout import (INPUT_COUNT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, NOT_CONVERGED, OFF_PROFILE,
-                      UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, State, Tables, Work)
+                      UNLOADED, VALID, State, Tables, Work, offset)
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
@@ -24,21 +24,21 @@ from .rigid import find_roll, keep_roll, solve_rigid
 from .trial import turn_to
 
 
-def evaluate(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def evaluate(tables: Tables, work: Work, state: State):
     """Evaluate the wheelset at the workspace's inputs into its outputs; the status."""
-    status = check_inputs(right_tables, work.inputs)
+    status = check_inputs(tables, work.inputs)
     if status != VALID:
         return status
     release_friction(work)
-    status = solve_wheelset(left_tables, right_tables, work, state)
-    if status <= UNLOADED and carries_friction(right_tables, work):
-        status = solve_with_friction(left_tables, right_tables, work, state, status)
+    status = solve_wheelset(tables, work, state)
+    if status <= UNLOADED and carries_friction(tables, work):
+        status = solve_with_friction(tables, work, state, status)
     if status <= UNLOADED:
-        report(right_tables, work)
+        report(tables, work)
     return status
 
 
-def solve_with_friction(left_tables: Tables, right_tables: Tables, work: Work, state: State, status: int):
+def solve_with_friction(tables: Tables, work: Work, state: State, status: int):
     """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
     NOT_CONVERGED where friction jams a wheel."""
     outcome = status
@@ -46,47 +46,46 @@ def solve_with_friction(left_tables: Tables, right_tables: Tables, work: Work, s
         if outcome > UNLOADED or is_load_met(work, LOAD_MET):
             break
         share_load(work)
-        outcome = solve_wheelset(left_tables, right_tables, work, state)
+        outcome = solve_wheelset(tables, work, state)
     if outcome <= UNLOADED and not is_load_met(work, LOAD_MISSED):
         outcome = NOT_CONVERGED
     return outcome
 
 
-def solve_wheelset(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def solve_wheelset(tables: Tables, work: Work, state: State):
     """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
-    status = stand(left_tables, right_tables, work, state)
+    status = stand(tables, work, state)
     if status <= UNLOADED:
-        move_patches(left_tables, right_tables, work)
-        rub_patches(left_tables, right_tables, work)
-        sum_forces(right_tables, work)
+        move_patches(tables, work)
+        rub_patches(tables, work)
+        sum_forces(tables, work)
     return status
 
 
-def stand(left_tables: Tables, right_tables: Tables, work: Work, state: State):
+def stand(tables: Tables, work: Work, state: State):
     """Where the wheelset stands, and the patches of both wheels: rigid, elastic or compliant; the status."""
     work.contact.filling = True
     work.contact.coarse = False
     work.contact.following = False
-    if right_tables.mode == MODE_COMPLIANT:
-        return solve_compliant(left_tables, right_tables, work)
-    roll, status = find_roll(left_tables, right_tables, work, state)
+    if tables.mode == MODE_COMPLIANT:
+        return solve_compliant(tables, work)
+    roll, status = find_roll(tables, work, state)
     if status != VALID:
         return status
-    if right_tables.mode == MODE_RIGID:
-        status = solve_rigid(left_tables, right_tables, work, roll)
+    if tables.mode == MODE_RIGID:
+        status = solve_rigid(tables, work, roll)
     if status <= UNLOADED:
         keep_roll(work, state, roll)
-    if right_tables.mode == MODE_ELASTIC:
-        status = elastic_from_rigid(left_tables, right_tables, work, roll)
+    if tables.mode == MODE_ELASTIC:
+        status = elastic_from_rigid(tables, work, roll)
     return status
 
 
-def elastic_from_rigid(left_tables: Tables, right_tables: Tables, work: Work, rigid_roll: float):
+def elastic_from_rigid(tables: Tables, work: Work, rigid_roll: float):
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
-    roll, status = solve_elastic(left_tables, right_tables, work, rigid_roll, side_force(work, 0),
-                                 side_force(work, 1))
+    roll, status = solve_elastic(tables, work, rigid_roll, side_force(work, 0), side_force(work, 1))
     if status <= UNLOADED and is_leaning(work.sides):
-        roll, status = meet_leaning(left_tables, right_tables, work, rigid_roll)
+        roll, status = meet_leaning(tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
     return status
@@ -97,7 +96,7 @@ def support_height(work: Work):
     return 0.5 * (work.supports[0].height + work.supports[1].height)
 
 
-def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, rigid_roll: float):
+def meet_leaning(tables: Tables, work: Work, rigid_roll: float):
     """Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
     shift; the equilibrium for the rigid height as reference is known."""
     roll = rigid_roll
@@ -105,11 +104,10 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, rigid_ro
     for i in range(MEETINGS):
         height = next_reference(work.reference, ELASTIC_MET)
         set_reference(work.sides, height)
-        place_both(left_tables, right_tables, work.inputs, work.sides, rigid_roll)
-        if not turn_to(left_tables, right_tables, work, rigid_roll):
+        place_both(tables, work.inputs, work.sides, rigid_roll)
+        if not turn_to(tables, work, rigid_roll):
             return roll, OFF_PROFILE
-        roll, status = solve_elastic(left_tables, right_tables, work, rigid_roll, side_force(work, 0),
-                                     side_force(work, 1))
+        roll, status = solve_elastic(tables, work, rigid_roll, side_force(work, 0), side_force(work, 1))
         if status > UNLOADED:
             return roll, status
         if note_reference(work.reference, height, support_height(work), ELASTIC_MET):
@@ -117,40 +115,40 @@ def meet_leaning(left_tables: Tables, right_tables: Tables, work: Work, rigid_ro
     return roll, NOT_CONVERGED
 
 
-def step_row(left_tables: Tables, right_tables: Tables, state: State, workspace: Work, inputs: 'float[:]',
-             outputs: 'float[:]', row: int):
+def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]',
+             row: int):
     """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
     before are not evaluated again."""
     changed = not workspace.known
     for i in range(INPUT_COUNT):
-        if not workspace[WORK_INPUTS + i] == inputs[INPUT_COUNT * row + i]:
+        if not workspace.inputs[i] == inputs[INPUT_COUNT * row + i]:
             changed = True
-        workspace[WORK_INPUTS + i] = inputs[INPUT_COUNT * row + i]
+        workspace.inputs[i] = inputs[INPUT_COUNT * row + i]
     status = workspace.status
     if changed:
         workspace.known = False
-        status = evaluate(left_tables, right_tables, workspace, state)
+        status = evaluate(tables, workspace, state)
     if status <= UNLOADED:
         workspace.known = True
         workspace.status = status
-        size = row_size(right_tables)
+        size = row_size(tables)
+        first = offset(workspace.outputs, workspace)
         for i in range(size):
-            outputs[size * row + i] = workspace[WORK_OUTPUTS + i]
+            outputs[size * row + i] = workspace[first + i]
     return status
 
 
-def step(left_tables: Tables, right_tables: Tables, state: State, workspace: Work, inputs: 'float[:]',
-         outputs: 'float[:]'):
+def step(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]'):
     """Evaluate one wheelset at ``inputs`` into ``outputs``; the status.
 
     Outputs keep their values unless the status is VALID or UNLOADED. ``state`` holds where the next roll
     search starts; it never changes an answer.
     """
-    return step_row(left_tables, right_tables, state, workspace, inputs, outputs, 0)
+    return step_row(tables, state, workspace, inputs, outputs, 0)
 
 
-def step_many(count: int, left_tables: Tables, right_tables: Tables, state: State, workspace: Work,
-              inputs: 'float[:]', outputs: 'float[:]', statuses: 'float[:]'):
+def step_many(count: int, tables: Tables, state: State, workspace: Work, inputs: 'float[:]',
+              outputs: 'float[:]', statuses: 'float[:]'):
     """Evaluate ``count`` rows of inputs, one after the other."""
     for row in range(count):
-        statuses[row] = float(step_row(left_tables, right_tables, state, workspace, inputs, outputs, row))
+        statuses[row] = float(step_row(tables, state, workspace, inputs, outputs, row))

@@ -21,13 +21,14 @@ DEEPEST: Final[float] = 2e-3
 @seldom
 def estimate_approach(tables: Tables, work: Work, index: int, force: float):
     """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome."""
+    pair = tables.pairs[index]
     support = work.supports[index]
     status = touch_side(tables, work, index)
     support.approach = 0.0
     if status == UNLOADED:
         status = VALID
         if force > 0.0:
-            support.approach = first_penetration(tables, work.contact, force) / work.contact.frame.plane.cos
+            support.approach = first_penetration(pair, work.contact, force) / work.contact.frame.plane.cos
     return status
 
 
@@ -60,39 +61,38 @@ def balance_side(tables: Tables, work: Work, index: int, force: float, height: f
 
 
 @seldom
-def balance_both(left_tables: Tables, right_tables: Tables, work: Work, left: float, right: float,
-                 height: float):
+def balance_both(tables: Tables, work: Work, left: float, right: float, height: float):
     """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
     work.sides[1].roll_count += 1.0
-    status = balance_side(left_tables, work, 0, left, height)
+    status = balance_side(tables, work, 0, left, height)
     if status <= UNLOADED:
-        outcome = balance_side(right_tables, work, 1, right, height)
+        outcome = balance_side(tables, work, 1, right, height)
         status = max(status, outcome)
     return status
 
 
 @seldom
-def turn_to(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
+def turn_to(tables: Tables, work: Work, roll: float) -> bool:
     """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; whether both wheels are
     above their rails."""
     turn_both(work.sides, roll)
-    known = follow_side(left_tables, work.sides[0])
+    known = follow_side(tables.pairs[0], work.sides[0])
     if known:
-        known = follow_side(right_tables, work.sides[1])
-    return search_both(left_tables, right_tables, work.sides, known)
+        known = follow_side(tables.pairs[1], work.sides[1])
+    return search_both(tables, work.sides, known)
 
 
 @seldom
-def turn_near(left_tables: Tables, right_tables: Tables, work: Work, roll: float) -> bool:
+def turn_near(tables: Tables, work: Work, roll: float) -> bool:
     """Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
     be followed; whether both wheels are above their rails.  Whether there is a smaller gap is left
     open."""
     turn_both(work.sides, roll)
-    known = follow_side(left_tables, work.sides[0])
+    known = follow_side(tables.pairs[0], work.sides[0])
     if known:
-        known = follow_side(right_tables, work.sides[1])
+        known = follow_side(tables.pairs[1], work.sides[1])
     if not known:
-        known = search_both(left_tables, right_tables, work.sides, False)
+        known = search_both(tables, work.sides, False)
     return known
 
 
