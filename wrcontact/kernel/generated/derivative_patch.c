@@ -25,7 +25,6 @@ static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, 
 static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
 {
     int64_t patch;
-    int64_t i_1;
     int64_t index;
     index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     if (index == layout__SOLVED_PATCH_LIMIT)
@@ -35,11 +34,7 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
-    {
-        (*cspan_at(&work_t, patch + i_1)) = 0.0;
-        (*cspan_at(&work, patch + i_1)) = 0.0;
-    }
+    derivative_filling__forget_t(work, work_t, patch);
     (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start_t;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
     (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start_t;
@@ -63,6 +58,56 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
     return index;
+}
+
+/* Derivative of ``forget``. */
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+{
+    int64_t i_1;
+    int64_t i_2;
+    int64_t i_3;
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
+        (*cspan_at(&work, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
+    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, patch + layout__PATCH_LOADS + i_2)) = 0.0;
+        (*cspan_at(&work, patch + layout__PATCH_LOADS + i_2)) = 0.0;
+    }
+    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
+        (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_SATURATION)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
+    return INT64_C(0);
 }
 
 /* Derivative of ``add_load``. */

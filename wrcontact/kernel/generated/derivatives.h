@@ -133,6 +133,7 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
 
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);

@@ -3,7 +3,7 @@
 
 /* search/bounds.py */
 static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y);
-static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static ALWAYS_INLINE int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
 static inline double bounds__rail_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
 static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t direction, double abscissa);
 static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward);
@@ -91,7 +91,7 @@ static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, d
 }
 
 /* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``. */
-static inline int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
+static ALWAYS_INLINE int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
 {
     int64_t point;
     double y_track;

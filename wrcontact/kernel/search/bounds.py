@@ -52,6 +52,7 @@ def node_below(scan: Scan, y: float):
     return node
 
 
+@inlined
 def node_gap(pair: Pair, at: Place, node: int):
     """Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``."""
     point = pair.scan.nodes[node]
