@@ -21,12 +21,9 @@ from functools import lru_cache
 import numpy as np
 
 from .. import layout
-from ..layout import INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
+from ..layout import HERTZ_CELLS, HERTZ_OCTAVES, INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
 from .rolling_table import rolling_table
 
-#: table range of |ln(B/A)|; curvatures that differ more than 6e7-fold count as differing by that
-LIMIT = 18.0
-CELLS_PER_UNIT = 8
 DEGREE = 5
 #: The profile as this many straight pieces, closer together near its ends; error 1e-7.
 PIECES = 100
@@ -88,14 +85,14 @@ def basis(nodes):
 def hertz_table():
     """The table as the kernel reads it (n,): without products of matrices, whose last bits
     depend on the processor."""
-    count = int(2 * LIMIT * CELLS_PER_UNIT)
     nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-    cells = -LIMIT + (np.arange(count)[:, None] + nodes) / CELLS_PER_UNIT
-    columns = [sum(value[:, None] * row for value, row in zip(values.reshape(count, -1).T, basis(nodes)))
-               for values in coefficients(cells.ravel())]
-    head = np.array([count, -LIMIT, CELLS_PER_UNIT])
+    octaves = 2.0 ** np.arange(-HERTZ_OCTAVES, HERTZ_OCTAVES)
+    within = 1.0 + (np.arange(HERTZ_CELLS)[:, None] + nodes) / HERTZ_CELLS
+    ratios = octaves[:, None, None] * within
+    columns = [sum(value[:, None] * row for value, row in zip(values.reshape(-1, len(nodes)).T, basis(nodes)))
+               for values in coefficients(np.log(ratios.ravel()))]
     assert 2 * (DEGREE + 1) == layout.HERTZ_ROW
-    return np.concatenate([head, np.hstack(columns).ravel()])
+    return np.hstack(columns).ravel()
 
 
 def profile():

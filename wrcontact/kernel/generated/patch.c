@@ -3,7 +3,7 @@
 
 /* patch/filling.py */
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side);
-static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule, double contact_angle);
+static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule);
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__finish_patch(array_double_1d work, int64_t side);
@@ -58,7 +58,7 @@ static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
  *
  * Where there is no room for another patch, the last one goes on.
  */
-static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule, double contact_angle)
+static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule)
 {
     int64_t patch;
     int64_t i_1;
@@ -76,7 +76,6 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     }
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
     (*cspan_at(&work, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
     (*cspan_at(&work, patch + layout__PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
@@ -683,6 +682,8 @@ static inline double quadrature__bent_integral(double low, double slope, double 
     double across;
     double height;
     double height_before;
+    double up;
+    double along;
     double angle;
     first = quadrature__quadratic_at(low, slope, bend, start);
     last = quadrature__quadratic_at(low, slope, bend, stop);
@@ -698,6 +699,16 @@ static inline double quadrature__bent_integral(double low, double slope, double 
     across = sqrt(-bend);
     height = 2.0 * across * last_root;
     height_before = 2.0 * across * first_root;
-    angle = atan2(height * first_rate - height_before * last_rate, height * height_before + last_rate * first_rate);
+    up = height * first_rate - height_before * last_rate;
+    along = height * height_before + last_rate * first_rate;
+    angle = 0.0;
+    if (along > fabs(up))
+    {
+        angle = circle__atan(up / along);
+    }
+    else
+    {
+        angle = circle__atan2(up, along);
+    }
     return (last_rate * last_root - first_rate * first_root) / (4.0 * bend) + spread / (8.0 * (-bend) * across) * angle;
 }
