@@ -714,8 +714,8 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  *
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
- * and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over eight even cells in each octave of B/A,
- * where an exponent and a difference find the place, exact to 1e-11
+ * and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
+ * where an exponent and a difference find the place, exact to 1e-12
  * (kernel/binding/fixed_tables.py).
  *
  * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.

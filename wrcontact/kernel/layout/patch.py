@@ -254,7 +254,7 @@ class InfluenceTable:
 
 
 HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table
-HERTZ_CELLS: Final[int] = 8          # its cells in each octave of B/A
+HERTZ_CELLS: Final[int] = 32         # its cells in each octave of B/A
 HERTZ_OCTAVES: Final[int] = 26       # and its octaves on each side of 1
 
 
