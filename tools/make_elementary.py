@@ -1,11 +1,11 @@
-"""The numbers of the kernel's elementary functions: ``python tools/make_elementary.py`` prints them as they stand
-in wrcontact/kernel/elementary.
+"""The numbers of the kernel's elementary functions: ``python tools/make_elementary.py`` prints them as they
+stand in wrcontact/kernel/elementary.
 
 Each polynomial stands for what is left of a function's series when its first terms are taken away, over an
-interval that argument reduction leads to.  It has the least squares of errors at Chebyshev's nodes, which
-is within a small factor of the least error; its coefficients are rounded one after the other, and those that follow
-make good what the rounding took.  Constants of more digits than a float has are split: the first parts have
-few enough bits that their products with small whole numbers are exact.
+interval that argument reduction leads to.  It has the least squares of errors at Chebyshev's nodes, which is
+within a small factor of the least error; its coefficients are rounded one after the other, and those that
+follow make good what the rounding took.  Constants of more digits than a float has are split: the first parts
+have few enough bits that their products with small whole numbers are exact.
 """
 
 from mpmath import mp, mpf
@@ -14,7 +14,7 @@ mp.dps = 60
 
 
 def polynomials():
-    """{name: (function of z, largest z, number of coefficients)}"""
+    """{name: (function, ends of its interval, number of coefficients)}"""
     quarter = (mp.pi / 4) ** 2 * mpf("1.0001")
     return {
         "SINE": (lambda z: (mp.sin(mp.sqrt(z)) / mp.sqrt(z) - 1) / z, 0, quarter, 6),
@@ -54,13 +54,13 @@ def split(value, *bits):
 
 def constants():
     """{name: float}"""
-    found = {"QUARTER": float(mp.pi / 4), "PER_QUARTER": float(2 / mp.pi)}
+    found = {"QUARTER_SQUARE": float((mp.pi / 4) ** 2), "PER_QUARTER": float(2 / mp.pi)}
     found |= dict(zip(("TURN_0", "TURN_1", "TURN_2"), split(mp.pi / 2, 33, 33)))
-    for name, value in (("HALF_ARC", mp.atan(mpf(1) / 2)), ("ONE_ARC", mp.pi / 4), ("MORE_ARC", mp.atan(mpf(3) / 2)),
-                        ("ALL_ARC", mp.pi / 2), ("STRAIGHT", mp.pi)):
+    for name, value in (("HALF_ARC", mp.atan(mpf(1) / 2)), ("ONE_ARC", mp.pi / 4),
+                        ("MORE_ARC", mp.atan(mpf(3) / 2)), ("ALL_ARC", mp.pi / 2), ("STRAIGHT", mp.pi)):
         found |= dict(zip((name, f"{name}_REST"), (float(value), float(value - mpf(float(value))))))
     found |= dict(zip(("LN2", "LN2_REST"), split(mp.log(2), 32)))
-    found |= {"PER_LN2": float(1 / mp.log(2))}
+    found |= {"PER_LN2": float(1 / mp.log(2)), "ROOT_OF_2": float(mp.sqrt(2))}
     for name, made in polynomials().items():
         found |= {f"{name}_{k}": value for k, value in enumerate(rounded(*made))}
     return found

@@ -1,7 +1,7 @@
-"""What the differentiation knows of the kernel by name: rules for iterations and elementary functions, arrays that follow the
-inputs, rates of functions."""
+"""What the differentiation knows of the kernel by name: rules for iterations and elementary functions, arrays
+that follow the inputs, rates of functions."""
 
-#: What stands in for an iteration or for a series when the kernel is differentiated: a function of RULE_MODULES.
+#: What stands in for an iteration or a series when the kernel is differentiated: a function of RULE_MODULES.
 RULES = {
     "zone_width": "width_rule", "solve_penetrations": "penetrations_rule", "move_arc": "arc_rule",
     "move_chord": "chord_rule", "move_across": "across_rule", "meet_wheel": "meet_rule",

@@ -100,12 +100,12 @@ class Module:
             if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
                 self.refuse(node, "a for loop runs over a range")
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
-                self.refuse(node, "a power differs from machine to machine in the last bit; write x*x, sqrt(x) "
-                            "or cube_root(x)")
+                self.refuse(node, "a power differs from machine to machine in the last bit; write x*x, "
+                            "sqrt(x) or cube_root(x)")
             if isinstance(node, ast.ImportFrom) and node.module == "math":
                 for name in sorted({alias.name for alias in node.names} - EXACT):
-                    self.refuse(node, f"{name} of math differs from machine to machine in the last bit; "
-                                "the room elementary has functions that do not")
+                    self.refuse(node, f"{name} of math differs from machine to machine in the last bit; the "
+                                "room elementary has functions that do not")
         for function, loop in self.range_loops():
             self.refuse_loop_variable(function, loop)
 

@@ -62,7 +62,8 @@ def tidy_code(module, text):
             chunks[signature[2]] = f"{head}\n{{\n{tidy_body(signature[3])}}}"
     functions = written(module)
     if chunks.keys() != functions.keys():
-        raise Refused(f"{module.path.name}: Pyccel renamed or dropped {sorted(chunks.keys() ^ functions.keys())}")
+        raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
+                      f"{sorted(chunks.keys() ^ functions.keys())}")
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in functions.items()]
     return "\n\n".join([banner(module), *documented]) + "\n"
 

@@ -54,8 +54,8 @@ def rolling_rate(tables: Tables, inputs: Inputs):
 
 
 def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheelset):
-    """What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity and
-    roll rate are left to :func:`set_rates`."""
+    """What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
+    and roll rate are left to :func:`set_rates`."""
     sin_yaw, cos_yaw = sine_cosine(inputs.yaw)
     sin_roll, cos_roll = sine_cosine(wheelset.roll)
     motion.speed = inputs.speed

@@ -1,5 +1,5 @@
-"""How the elementary functions follow their arguments: by the derivatives that calculus gives them, not by those
-of their series.  As contact_rules.py an input of ``tools/differentiate``."""
+"""How the elementary functions follow their arguments: by the derivatives that calculus gives them, not by
+those of their series.  As contact_rules.py an input of ``tools/differentiate``."""
 
 from ..elementary.circle import atan, atan2, sine_cosine
 from ..elementary.powers import cube_root, exp, log

@@ -1,1 +1,1 @@
-"""Elementary functions that give the same bits on every machine, from sums, products, quotients and roots alone."""
+"""Elementary functions with the same bits on every machine, from sums, products, quotients and roots."""

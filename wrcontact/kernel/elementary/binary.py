@@ -7,7 +7,7 @@ from ..layout import native
 
 @native
 def exponent(x: float) -> int:
-    """The exponent of two of a positive ``x`` that is neither infinite nor subnormal: 1 <= x / 2^exponent < 2."""
+    """The exponent of two of a positive ``x``, neither infinite nor subnormal: 1 <= x / 2^exponent < 2."""
     return (unpack("<q", pack("<d", x))[0] >> 52) - 1023
 
 

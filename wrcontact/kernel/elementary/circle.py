@@ -17,7 +17,7 @@ from .whole import nearest_whole
 #: The square of pi/4; squares below TINY count as nothing beside 1.
 QUARTER_SQUARE: Final[float] = 0.6168502750680849
 TINY: Final[float] = 1e-20
-#: Angles beyond this [rad] have no sine: of 1e6 quarter turns no more than 20 bits are known to the table.
+#: Angles beyond this [rad] have no sine here: TURN_0 and TURN_1 leave room for 2^20 quarter turns.
 LARGEST_ANGLE: Final[float] = 1e6
 PER_QUARTER: Final[float] = 0.6366197723675814      # 2/pi
 #: pi/2 in three parts.

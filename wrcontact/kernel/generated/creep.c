@@ -2078,8 +2078,8 @@ static inline double motion__rolling_rate(array_double_1d work, array_double_1d 
     return rate;
 }
 
-/* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity and
- * roll rate are left to :func:`set_rates`.
+/* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
+ * and roll rate are left to :func:`set_rates`.
  */
 static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion)
 {

@@ -716,7 +716,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  *
  * and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
  * where an exponent and a difference find the place, exact to 1e-12
- * (kernel/binding/fixed_tables.py).
+ * (kernel/binding/exact_tables.py).
  *
  * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
  * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but

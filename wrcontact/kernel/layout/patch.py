@@ -260,7 +260,7 @@ HERTZ_OCTAVES: Final[int] = 26       # and its octaves on each side of 1
 
 @record
 class HertzTable:
-    """1 + alpha and n r over B/A, as quintics over HERTZ_CELLS even cells in each octave, between 2^-HERTZ_OCTAVES
-    and 2^HERTZ_OCTAVES (normal/coefficients.py)."""
+    """1 + alpha and n r over B/A, as quintics over HERTZ_CELLS even cells in each octave, between
+    2^-HERTZ_OCTAVES and 2^HERTZ_OCTAVES (normal/coefficients.py)."""
 
     rows: Float * OPEN              # HERTZ_ROW numbers a cell: six of 1 + alpha, six of n r

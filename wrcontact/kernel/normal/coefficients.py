@@ -12,7 +12,7 @@ so that the three combinations ANALYN needs are functions of B/A alone:
 
 and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
 where an exponent and a difference find the place, exact to 1e-12
-(kernel/binding/fixed_tables.py).
+(kernel/binding/exact_tables.py).
 
 ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
 Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
@@ -31,8 +31,8 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.binary import exponent, power_of_two
-from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, HERTZ_ROW, LATERAL_ADAPTIVE, HertzTable, NodeRun, Nodes, Region,
-                      Tables)
+from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, HERTZ_ROW, LATERAL_ADAPTIVE, HertzTable, NodeRun, Nodes,
+                      Region, Tables)
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
