@@ -27,7 +27,9 @@ from ctypes import sizeof
 from record_layout import Layout, Refused, constant, is_record, is_root, is_run
 
 #: Marks for the C compiler (layout/record.py).
-MARKS = {"inlined", "seldom"}
+MARKS = {"inlined", "native", "seldom"}
+#: Results that are no record.
+NUMBERS = ("bool", "float", "int")
 #: Words of the dialect that become something else.
 WORDS = {"clear", "copy", "offset"}
 #: Arrays in which records live, in the order in which a function gets them.
@@ -105,8 +107,8 @@ class Lowered(ast.NodeTransformer):
         self.end(node)
 
     def result(self, node):
-        """A record that a function returns is its offset; a truth is what Pyccel finds by itself."""
-        if node.returns.id != "bool":
+        """A record that a function returns is its offset; numbers and truths Pyccel finds by itself."""
+        if node.returns.id not in NUMBERS:
             self.edit(node.returns, node.returns, "int")
             return
         line = self.lines[node.returns.lineno - 1]
@@ -371,7 +373,7 @@ def lower(texts, module):
                  if isinstance(node, ast.FunctionDef)]
     signatures = {(name, node.name): record_parameters(node, layout) for name, node in functions}
     results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions
-               if node.returns and node.returns.id != "bool"}
+               if node.returns and node.returns.id not in NUMBERS}
     lowered, refusals = {}, []
     for name in texts.keys() - {"layout"}:
         try:

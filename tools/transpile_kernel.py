@@ -18,7 +18,8 @@ What Pyccel writes is tidied like this:
 * Functions are ``static``, in the order of the Python source, each under its docstring. Three translation
   units include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once,
   ``derivative_unit.c`` the derivatives, which tools/differentiate writes. What is marked ``@seldom`` is not
-  inlined, ``@inlined`` always (kernel/layout/record.py). Locals that Pyccel adds and nobody reads go.
+  inlined, ``@inlined`` always, and ``@native`` stands in spans.h (kernel/layout/record.py). Locals that
+  Pyccel adds and nobody reads go.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 The steps are the files of tools/transpile: ``modules`` reads the Python, ``translator`` runs Pyccel, ``tidy``
@@ -28,9 +29,10 @@ Before Pyccel the end of a range gets a name (``for k in range(int(work[3]))`` e
 loop might change it: C reads it anew in each turn, Python once.
 
 Other Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after
-a loop; a loop that changes its own variable, or whose variable is read after it; ``hypot``, ``pow`` and
-powers like ``x ** 2``, which CPython computes otherwise than C; a slice as an argument; a module variable
-that is not ``Final``; a call of anything that spans.h and a few functions of math.h do not define.
+a loop; a loop that changes its own variable, or whose variable is read after it; powers, and what of math is
+not exact (the room elementary has functions with the same bits everywhere); a slice as an argument; a module
+variable that is not ``Final``; a call of anything that spans.h and a few exact functions of math.h do not
+define.
 """
 
 import argparse

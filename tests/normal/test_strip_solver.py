@@ -11,7 +11,8 @@ from data.hertz import hertz
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from tests.helpers.strips import errors
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.fixed_tables import hertz_table, influence, influence_table, mean_influence
+from wrcontact.kernel.binding.exact_tables import influence, mean_influence
+from wrcontact.kernel.binding.fixed_tables import hertz_table, influence_table
 from wrcontact.kernel.layout import INFLUENCE_MAP, InfluenceTable
 from wrcontact.kernel.normal import strip_contact
 from wrcontact.kernel.normal.coefficients import STEEPEST_SLANT, hertz_coefficients, skewed_coefficients

@@ -9,7 +9,7 @@ from .scope import Scope, parameters
 
 Pair = namedtuple("Pair", "value rate")         # texts; the rate is None for what is constant
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%",
-             ast.Pow: "**", ast.LShift: "<<", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
+             ast.LShift: "<<", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
              ast.Eq: "==", ast.NotEq: "!="}
 
 
@@ -158,7 +158,7 @@ class Expressions(Scope):
         return self.call(node)
 
     def binary(self, node):
-        """Value and rate of a sum, product, quotient or power."""
+        """Value and rate of a sum, product or quotient."""
         if isinstance(node.op, (ast.Add, ast.Sub)):
             left, right = self.pair(node.left), self.pair(node.right)
             sign = OPERATORS[type(node.op)]
@@ -177,9 +177,6 @@ class Expressions(Scope):
             rate = (f"{closed(left.rate)} - {quotient} * {closed(right.rate)}" if left.rate
                     else f"-{quotient} * {closed(right.rate)}")
             return Pair(quotient, f"({rate}) / {right.value}")
-        if isinstance(node.op, ast.Pow) and not right.rate:
-            power = self.named(f"{left.value} ** {right.value}")
-            return Pair(power, f"power_rate({power}, {left.value}, {right.value}, {left.rate})")
         raise ValueError(f"{self.module}.py, line {node.lineno}: this operation has no rate")
 
     def call(self, node):
@@ -200,12 +197,6 @@ class Expressions(Scope):
             return Pair(result, result + "_t")
         if name in ("min", "max"):
             return self.smaller(*node.args, "<" if name == "min" else ">")
-        if name == "atan2":
-            up, along = self.atom(node.args[0]), self.atom(node.args[1])
-            square = f"({along.value} * {along.value} + {up.value} * {up.value})"
-            return Pair(f"atan2({up.value}, {along.value})",
-                        f"({along.value} * {closed(up.rate or '0.0')} - {up.value} * "
-                        f"{closed(along.rate or '0.0')}) / {square}")
         argument = self.atom(node.args[0])
         value = f"{name}({argument.value})"
         if "{f}" in RATES[name]:

@@ -137,13 +137,12 @@ class Kernel:
                                   (module.name, {*module.constants, *module.functions})]:
                 imported.setdefault(home, set()).update(names & set(offered))
         lines = [f'"""Derivatives of {place}.py."""', ""]
-        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "exp", "fabs", "isfinite", "log",
-                                     "pi", "sin", "sqrt"})
+        mathematics = sorted(used & {"copysign", "fabs", "inf", "isfinite", "nan", "pi", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")
         lines += [f"from .{home} import {', '.join(sorted(names))}"
                   for home, names in sorted(imported.items()) if names]
-        rates = sorted(used & {"root_rate", "size_rate", "power_rate"})
+        rates = sorted(used & {"root_rate", "size_rate"})
         if rates:
             lines.append(f"from .derivative_rates import {', '.join(rates)}")
         calls = {}

@@ -14,10 +14,9 @@ from pathlib import Path
 
 from differentiate.modules import Kernel
 
+from .modules import VALUES
 from .translator import PYCCEL_VERSION, START, run_pyccel
 
-#: A value of each kind, for stubs.
-VALUES = {"float": "0.0", "int": "0", "bool": "False"}
 #: Translations that are kept at most, the newest ones.
 MOST = 2000
 

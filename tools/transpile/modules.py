@@ -15,7 +15,13 @@ import lower_records
 from differentiate import RULE_MODULES, derivative_modules
 
 KERNEL = Path(__file__).resolve().parents[2] / "wrcontact" / "kernel"
+#: A value of each kind, for functions with nothing in them.
+VALUES = {"float": "0.0", "int": "0", "bool": "False"}
 FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
+
+
+#: What the kernel may import from math: the same bits on every machine.
+EXACT = {"copysign", "fabs", "inf", "isfinite", "nan", "pi", "sqrt"}
 
 
 class Refused(Exception):
@@ -59,10 +65,13 @@ class Module:
         self.name = flat_name(path)
         self.place = path.name if self.name.startswith("derivative_") else f"{path.parent.name}/{path.name}"
         self.text = flat_imports(path) if text is None else text
+        written = ast.parse(path.read_bytes())
+        self.marks = {node.name: mark.id for node in written.body
+                      if isinstance(node, ast.FunctionDef) for mark in node.decorator_list}
+        if "native" in self.marks.values():
+            self.text = native_text(written)
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
-        self.marks = {node.name: mark.id for node in ast.parse(path.read_bytes()).body
-                      if isinstance(node, ast.FunctionDef) for mark in node.decorator_list}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
         self.imports = {node.module: {alias.name for alias in node.names} for node in self.tree.body
                         if isinstance(node, ast.ImportFrom) and node.level}
@@ -90,14 +99,13 @@ class Module:
                 self.refuse(node, "Pyccel drops the else of a loop")
             if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
                 self.refuse(node, "a for loop runs over a range")
-            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and is_number(node.right):
-                self.refuse(node,
-                            "a power that the C compiler replaces differs in the last bit; write x*x or "
-                            "sqrt(x)")
-            if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
-                self.refuse(node,
-                            f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt or "
-                            "**")
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+                self.refuse(node, "a power differs from machine to machine in the last bit; write x*x, "
+                            "sqrt(x) or cube_root(x)")
+            if isinstance(node, ast.ImportFrom) and node.module == "math":
+                for name in sorted({alias.name for alias in node.names} - EXACT):
+                    self.refuse(node, f"{name} of math differs from machine to machine in the last bit; the "
+                                "room elementary has functions that do not")
         for function, loop in self.range_loops():
             self.refuse_loop_variable(function, loop)
 
@@ -140,6 +148,17 @@ class Module:
         return b"\n".join(lines) + b"\n"
 
 
+def native_text(tree):
+    """The text of a module of functions that C has by itself, as bytes: the same functions with nothing in
+    them."""
+    lines = [f'"""{ast.get_docstring(tree)}"""']
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef):
+            lines += ["", "", f"def {node.name}({ast.unparse(node.args)}):",
+                      f"    result = {VALUES[node.returns.id]}", "    return result"]
+    return "\n".join([*lines, ""]).encode()
+
+
 def flat_name(path):
     """The name of a module among all others, which Pyccel and C see in one folder."""
     room = path.parent.name
@@ -161,11 +180,6 @@ def flat_imports(path):
             target = target.joinpath(*found[2].decode().split("."))
             lines[number] = b"from ." + flat_name(target).encode() + line[found.end(2):]
     return b"\n".join(lines)
-
-
-def is_number(node):
-    """Whether the expression is a number as written, like 2 or -0.5 (and not like 1.0 / 3.0)."""
-    return isinstance(node.operand if isinstance(node, ast.UnaryOp) else node, ast.Constant)
 
 
 def stored(nodes):

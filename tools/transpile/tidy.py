@@ -9,10 +9,15 @@ EDGE = "/*........................................*/"        # Pyccel's line abo
 #: How a function is declared that has a mark (kernel/layout/record.py), or none.
 STORAGE = {None: "static inline", "seldom": "static OUT_OF_LINE", "inlined": "static ALWAYS_INLINE"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
-MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
-                 "log log10 log1p pow sin sinh sqrt tan tanh".split())
+#: Of math.h; every compiler has them without a library.
+MATH_CALLS = set("copysign fabs isfinite sqrt".split())
 SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
                  "py_floor_div_int64_t pyc_modulo".split())
+
+
+def written(module):
+    """The functions of a module that C does not have by itself, by name."""
+    return {name: node for name, node in module.functions.items() if module.marks.get(name) != "native"}
 
 
 def storage(module, function):
@@ -30,7 +35,7 @@ def tidy_prototypes(module, text):
     """Lines that declare the functions of a module, from Pyccel's header."""
     found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
     return ["", f"/* {module.place} */",
-            *(f"{storage(module, name)} {line};" for line, _, name in found if name != "init")]
+            *(f"{storage(module, name)} {line};" for line, _, name in found if name in written(module))]
 
 
 def definition(name, value):
@@ -52,13 +57,14 @@ def tidy_code(module, text):
     for chunk in text.split(EDGE):
         signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk,
                               re.MULTILINE | re.DOTALL)
-        if signature and signature[2] != "init":
+        if signature and signature[2] in written(module):
             head = f"{storage(module, signature[2])} {signature[1]}"
             chunks[signature[2]] = f"{head}\n{{\n{tidy_body(signature[3])}}}"
-    if set(chunks) != set(module.functions):
+    functions = written(module)
+    if chunks.keys() != functions.keys():
         raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
-                      f"{sorted(set(chunks) ^ set(module.functions))}")
-    documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]
+                      f"{sorted(chunks.keys() ^ functions.keys())}")
+    documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in functions.items()]
     return "\n\n".join([banner(module), *documented]) + "\n"
 
 

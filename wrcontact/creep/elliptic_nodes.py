@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from ..kernel import layout
-from ..kernel.binding.rolling_table import CORRECTION_NODES, CORRECTION_UNIT, assemble, stored, uncorrected
+from ..kernel.binding.fixed_tables import CORRECTION_UNIT
+from ..kernel.binding.rolling_table import CORRECTION_NODES, assemble, stored, uncorrected
 from ..kernel.creep import cut, stiffness
 from ..kernel.prepare import tables as fixed
 from .forces import roll

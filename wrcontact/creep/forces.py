@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import pi
+from math import fsum, pi
 
 import numpy as np
 
@@ -105,17 +105,17 @@ def write_patch(patch, written, strips):
     width, middle = np.diff(patch.station), 0.5 * (patch.station[1:] + patch.station[:-1])
     # the squares of the half-lengths follow straight lines
     both = np.maximum(low + high, 1e-300)
-    totals.area = 2.0 * np.sum(width * 2.0 / 3.0 * (low**2 + low * high + high**2) / both)
+    totals.area = 2.0 * fsum(width * 2.0 / 3.0 * (low**2 + low * high + high**2) / both)
     before, after = patch.line_load[:-1], patch.line_load[1:]
-    moment = np.sum(width * (0.5 * (before + after) * middle + (after - before) * width / 12.0))
-    totals.centroid = moment / np.sum(width * 0.5 * (before + after))
+    moment = fsum(width * (0.5 * (before + after) * middle + (after - before) * width / 12.0))
+    totals.centroid = moment / fsum(width * 0.5 * (before + after))
     inner = slice(1, -1)
     written.first, written.last = 0, len(patch.station) - 3
     for strip, station, length, load in zip(strips, patch.station[inner].tolist(),
                                             patch.half_length[inner].tolist(),
                                             patch.line_load[inner].tolist()):
         strip.station, strip.width = station, 1.0
-        strip.half_length_square, strip.line_load = length**2, load
+        strip.half_length_square, strip.line_load = length * length, load
 
 
 @lru_cache(maxsize=32)

@@ -1,7 +1,7 @@
 """Patches whose creep forces can be asked for, and checks of what a user gives for them."""
 
 from dataclasses import dataclass
-from math import isfinite, pi
+from math import fsum, isfinite, pi
 from numbers import Real
 
 import numpy as np
@@ -108,7 +108,7 @@ def outlined_patch(station, half_length, pressure, *, slant=0.0, normal_force=No
     check_elasticity(youngs_modulus, poisson_ratio)
     line_load = 0.5 * pi * half_length * pressure
     line_load[[0, -1]] = 0.0
-    load = np.sum(0.5 * (line_load[1:] + line_load[:-1]) * np.diff(station))
+    load = fsum(0.5 * (line_load[1:] + line_load[:-1]) * np.diff(station))
     if not load > 0.0:
         raise ValueError("the outline carries no load; half_length and pressure must be above 0 at a station "
                          "between the first and the last")

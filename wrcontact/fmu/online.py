@@ -8,8 +8,8 @@ from pathlib import Path
 from ..interface.references import LIST
 from ..kernel.binding.compiler import KERNEL_UNITS, CompilerProblem, compile_platform, has_zig
 from ..kernel.binding.files import LIBRARY_NAME, library_name
+from ..kernel.binding.fixed_tables import CORRECTION, FIXED
 from ..kernel.binding.library import HERE, LibraryUnusable, fingerprint, open_library
-from ..kernel.binding.rolling_table import CORRECTION, DATA
 from ..progress import tracked
 
 PACKAGE = Path(__file__).resolve().parent.parent
@@ -22,7 +22,7 @@ OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "halfspace"
 def online_files():
     """Contents of the needed files by their path in the package."""
     kernel = set((PACKAGE / "kernel").rglob("*.py")) - {PACKAGE / "kernel" / "binding" / "compiler.py"}
-    files = imported_from(PACKAGE / ENTRANCE) | kernel | {DATA, CORRECTION, LIST}
+    files = imported_from(PACKAGE / ENTRANCE) | kernel | {FIXED, CORRECTION, LIST}
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 

@@ -52,7 +52,7 @@ def rail_head(name, *, crown_half_width, shoulder_half_width, corner_half_width,
     crown = Arc(-crown_half_width, crown_half_width, 300.0, 0.0, 300.0, -1)
     shoulder = _tangent_arc(crown, 80.0, crown_half_width, shoulder_half_width)
     corner = _tangent_arc(shoulder, 13.0, shoulder_half_width, corner_half_width)
-    tangent = corner.y_centre + corner.radius * 20.0 / math.hypot(1.0, 20.0)
+    tangent = corner.y_centre + corner.radius * 20.0 / math.sqrt(401.0)
     corner = Arc(corner.start, tangent, corner.radius, corner.y_centre, corner.z_centre, -1)
     z_side = float(corner(tangent)[0])
     side = Polynomial(tangent, tangent + (depth - z_side) / 20.0, (z_side, 20.0), tangent)

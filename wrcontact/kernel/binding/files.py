@@ -14,7 +14,7 @@ from typing import NamedTuple
 HERE = Path(__file__).resolve().parents[1]
 #: The rooms of the kernel, from upstream to downstream; a module imports from its own room
 #: and from those before it.
-ROOMS = ("layout", "surface", "search", "contact", "patch", "normal", "creep",
+ROOMS = ("layout", "elementary", "surface", "search", "contact", "patch", "normal", "creep",
          "wheelset", "prepare", "derivative")
 HANDLE_VERSION = 8      # raise when the functions or the handle in native/*.h change
 

@@ -25,15 +25,12 @@ from pathlib import Path
 import numpy as np
 
 from .. import layout
+from .fixed_tables import CORRECTION, CORRECTION_UNIT, corrections
 from .kalker_table import POISSON_NODES, hermite_cubic, inverse_coefficients, kalker_coefficients
 
 DATA = Path(__file__).parents[1] / "data" / "rolling_kernels.json"
-#: What exact forces differ from those of the strips by (tools/make_rolling_correction.py).
-CORRECTION = Path(__file__).parents[1] / "data" / "rolling_correction.npz"
 #: Poisson's ratios of its tables.
 CORRECTION_NODES = (0.25, 0.28, 0.30)
-#: Unit of their numbers, of mu N and of mu N sqrt(ab).
-CORRECTION_UNIT = 1e-5
 #: Step of numerical slopes, of a cell.
 STEP = 1e-4
 
@@ -116,24 +113,18 @@ def points():
     return np.concatenate([np.cos(angles), np.sin(angles)])
 
 
-@lru_cache(maxsize=1)
-def corrections():
-    """Radii, scales and corrections as the kernel reads them (n,): the radii, then both others for
-    CORRECTION_NODES."""
+def scales():
+    """Radii, and the scales for CORRECTION_NODES, of the corrections (n,)."""
     with np.load(CORRECTION) as found:
-        radius, coefficients = found["rho"], found["creep_coefficients"]
-        values = found["correction"] * CORRECTION_UNIT
-        ratio = found["ratio"]
+        radius, coefficients, ratio = found["rho"], found["creep_coefficients"], found["ratio"]
     # by the coefficients that the saturation of the nodes is meant with
-    scales = [own / kalker_coefficients(ratio, nu).T for own, nu in zip(coefficients, CORRECTION_NODES)]
-    # nothing to correct for no creepage and for an infinite one
-    padded = np.pad(values, [(0, 0)] * 4 + [(1, 1), (0, 0)])
-    return np.concatenate([[0.0], radius / (1.0 + radius), [1.0], np.ravel(scales), padded.ravel()])
+    parts = [own / kalker_coefficients(ratio, nu).T for own, nu in zip(coefficients, CORRECTION_NODES)]
+    return np.concatenate([[0.0], radius / (1.0 + radius), [1.0], np.ravel(parts)])
 
 
 def assemble(factors, correction):
     """The table as the kernel's preparation reads it (n,): the points of a strip, shapes for POISSON_NODES,
-    both parts of the reaches, and what :func:`corrections` gives."""
+    both parts of the reaches, and radii, scales and corrections."""
     table = np.concatenate([points(), *(shapes(column, rows) for column, rows in enumerate(factors)),
                             reach_parts().ravel(), correction])
     wanted = (2 * layout.POINT_LIMIT + 3 * layout.SHAPE_ROW * layout.SHAPE_CELLS
@@ -151,7 +142,6 @@ def uncorrected():
                            np.zeros(3 * layout.CORRECTION_SIZE)])
 
 
-@lru_cache(maxsize=1)
-def rolling_table():
-    """The table as the kernel's preparation reads it (n,)."""
-    return assemble(stored()["factors"], corrections())
+def made_table():
+    """The table, made anew (n,)."""
+    return assemble(stored()["factors"], np.concatenate([scales(), corrections()]))

@@ -14,9 +14,11 @@ s3 is zero on both sides of the azimuth's ends, where the table's values change 
 so the correction is continuous all over.
 """
 
-from math import atan2, exp, fabs, log, pi, sqrt
+from math import fabs, pi, sqrt
 from typing import Final
 
+from ..elementary.circle import atan2
+from ..elementary.powers import exp, log
 from ..layout import (CORRECTION_AZIMUTHS, CORRECTION_COLUMNS, CORRECTION_ELEVATIONS, CORRECTION_LINE,
                       CORRECTION_RADII, CORRECTION_RATIOS, Patch, RollingTable, Tables)
 from ..surface.tables import table_cell
@@ -24,8 +26,8 @@ from .tractions import cut_to, kalker_coefficients
 
 ELEVATION_STRIDE: Final[int] = CORRECTION_AZIMUTHS * CORRECTION_LINE
 RATIO_STRIDE: Final[int] = CORRECTION_ELEVATIONS * ELEVATION_STRIDE
-#: The smallest a/b of the table; each one is twice the one before.
-FIRST_RATIO: Final[float] = 0.1
+#: ln 0.1, of the smallest a/b of the table; each one is twice the one before.
+LN_FIRST_RATIO: Final[float] = -2.302585092994045684
 PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
 
 
@@ -34,7 +36,7 @@ def correct_force(tables: Tables, patch: Patch):
     table = tables.rolling
     bound = patch.friction * patch.totals.load
     mean_axis = sqrt(patch.half_length * patch.half_width)
-    ratio, on_ratio = table_cell((log(patch.half_length / patch.half_width) - log(FIRST_RATIO))
+    ratio, on_ratio = table_cell((log(patch.half_length / patch.half_width) - LN_FIRST_RATIO)
                                  * PER_DOUBLING, float(CORRECTION_RATIOS - 1))
     along, across, turning = saturation(tables, patch, ratio, on_ratio)
     sign_x = 1.0

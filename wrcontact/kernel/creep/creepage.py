@@ -17,7 +17,7 @@ The distance of P from the axle counts as the rolling radius there: an elastic w
 circumference that it has when it carries nothing, however deep it is pressed.
 """
 
-from math import cos, fabs, sin, sqrt
+from math import fabs, sqrt
 from typing import Final
 
 from ..layout import ROLLING_STRIP_LIMIT, Motion, Patch
@@ -38,8 +38,8 @@ def move_patch(motion: Motion, patch: Patch):
                - rolling_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
     vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * x
                 - rolling_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
-    normal_y = -sin(patch.contact_angle)
-    normal_z = -cos(patch.contact_angle)
+    normal_y = -patch.angle_sin
+    normal_z = -patch.angle_cos
     speed = reference_speed(motion, rolling_x)
     patch.speed = speed
     patch.radius_share = share
@@ -101,4 +101,4 @@ def approach_rate(motion: Motion, patch: Patch):
                + rail.roll * (patch.z_track - rail.z))
     vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * patch.x_track - rail.vertical
                 - rail.roll * (patch.y_track - rail.y))
-    return sin(patch.contact_angle) * lateral + cos(patch.contact_angle) * vertical
+    return patch.angle_sin * lateral + patch.angle_cos * vertical

@@ -19,9 +19,10 @@ almost everywhere.  In one of some thousand cases, with spin on long patches, th
 negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
 """
 
-from math import exp, fabs, sqrt
+from math import fabs, sqrt
 from typing import Final
 
+from ..elementary.powers import exp
 from ..layout import ROLLING_STRIP_LIMIT, Patch, Tables
 from .tractions import kalker_coefficients
 

@@ -15,8 +15,9 @@ it does not move the surface of a round wheel, whose normal goes through the axl
 Each wheel has its equation in its own frame, in which the left side is mirrored, and so is its roll rate.
 """
 
-from math import cos, fabs, sin
+from math import fabs
 
+from ..elementary.circle import sine_cosine
 from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, ContactPoint,
                       Forces, Inputs, Motion, Pair, RailMotion, Tables, Wheelset)
 
@@ -52,23 +53,39 @@ def rolling_rate(tables: Tables, inputs: Inputs):
     return rate
 
 
-def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheelset, mirror: float):
-    """What the inputs say of the motion of the ``wheelset``, as a side sees it: ``mirror`` = 1 on the right,
-    -1 on the left, which is mirrored.  Vertical velocity and roll rate are left to :func:`set_rates`."""
-    sin_yaw = sin(inputs.yaw)
-    cos_yaw = cos(inputs.yaw)
-    sin_roll = sin(wheelset.roll)
-    cos_roll = cos(wheelset.roll)
+def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheelset):
+    """What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
+    and roll rate are left to :func:`set_rates`."""
+    sin_yaw, cos_yaw = sine_cosine(inputs.yaw)
+    sin_roll, cos_roll = sine_cosine(wheelset.roll)
     motion.speed = inputs.speed
-    motion.lateral = mirror * inputs.lateral_velocity
+    motion.lateral = inputs.lateral_velocity
     motion.wheel_rate = rolling_rate(tables, inputs)
-    motion.track_rate = mirror * (inputs.speed * inputs.track_curvature)
-    motion.turn_z = mirror * inputs.yaw_rate
-    motion.axle_x = -mirror * sin_yaw * cos_roll
+    motion.track_rate = inputs.speed * inputs.track_curvature
+    motion.turn_z = inputs.yaw_rate
+    motion.ahead_x = cos_yaw
+    motion.ahead_y = sin_yaw
+    motion.axle_x = -sin_yaw * cos_roll
     motion.axle_y = cos_yaw * cos_roll
-    motion.axle_z = mirror * sin_roll
-    motion.centre_y = mirror * inputs.lateral_shift
+    motion.axle_z = sin_roll
+    motion.centre_y = inputs.lateral_shift
     motion.centre_z = wheelset.vertical_shift - tables.height
+
+
+def mirror_motion(motion: Motion, mirrored: Motion):
+    """The same as the left side sees it, which is mirrored."""
+    mirrored.speed = motion.speed
+    mirrored.lateral = -motion.lateral
+    mirrored.wheel_rate = motion.wheel_rate
+    mirrored.track_rate = -motion.track_rate
+    mirrored.turn_z = -motion.turn_z
+    mirrored.ahead_x = motion.ahead_x
+    mirrored.ahead_y = -motion.ahead_y
+    mirrored.axle_x = -motion.axle_x
+    mirrored.axle_y = motion.axle_y
+    mirrored.axle_z = -motion.axle_z
+    mirrored.centre_y = -motion.centre_y
+    mirrored.centre_z = motion.centre_z
 
 
 def open_left_rail(pair: Pair, rail: RailMotion, inputs: Inputs):
@@ -89,14 +106,14 @@ def open_right_rail(pair: Pair, rail: RailMotion, inputs: Inputs):
     rail.z = inputs.right_rail_vertical
 
 
-def set_rates(left: Motion, right: Motion, inputs: Inputs, vertical: float, roll_rate: float):
+def set_rates(left: Motion, right: Motion, vertical: float, roll_rate: float):
     """Give both sides the wheelset's vertical velocity [m/s] and roll rate [rad/s].
 
     The wheelset rolls about its own x axis, which yaws with it: (cos(yaw), sin(yaw), 0).
     """
     right.vertical = vertical
-    right.turn_x = roll_rate * cos(inputs.yaw)
-    right.turn_y = roll_rate * sin(inputs.yaw)
+    right.turn_x = roll_rate * right.ahead_x
+    right.turn_y = roll_rate * right.ahead_y
     left.vertical = vertical
     left.turn_x = -right.turn_x
     left.turn_y = right.turn_y
@@ -108,8 +125,9 @@ def constrain_touching(motion: Motion, point: ContactPoint):
     x = point.x_track
     y = point.y_track - motion.centre_y
     z = point.z_track - motion.centre_z
-    normal_y = -sin(point.contact_angle)
-    normal_z = -cos(point.contact_angle)
+    sine, cosine = sine_cosine(point.contact_angle)
+    normal_y = -sine
+    normal_z = -cosine
     constraint.y = normal_y
     constraint.z = normal_z
     constraint.moment_x = y * normal_z - z * normal_y
@@ -139,13 +157,13 @@ def known_part(motion: Motion):
             - constraint.z * rail.vertical - rail_moment * rail.roll)
 
 
-def set_contact_rates(left: Motion, right: Motion, inputs: Inputs):
+def set_contact_rates(left: Motion, right: Motion):
     """Vertical velocity [m/s] and roll rate [rad/s] with which both constraints hold; zero where they cannot
     tell."""
-    sin_yaw = sin(inputs.yaw)
-    cos_yaw = cos(inputs.yaw)
-    left_roll = sin_yaw * left.constraint.moment_y - cos_yaw * left.constraint.moment_x
-    right_roll = cos_yaw * right.constraint.moment_x + sin_yaw * right.constraint.moment_y
+    x = right.ahead_x
+    y = right.ahead_y
+    left_roll = y * left.constraint.moment_y - x * left.constraint.moment_x
+    right_roll = x * right.constraint.moment_x + y * right.constraint.moment_y
     known_left = known_part(left)
     known_right = known_part(right)
     determinant = left.constraint.z * right_roll - right.constraint.z * left_roll
@@ -154,4 +172,4 @@ def set_contact_rates(left: Motion, right: Motion, inputs: Inputs):
     if determinant != 0.0:
         vertical = (known_right * left_roll - known_left * right_roll) / determinant
         roll_rate = (known_left * right.constraint.z - known_right * left.constraint.z) / determinant
-    set_rates(left, right, inputs, vertical, roll_rate)
+    set_rates(left, right, vertical, roll_rate)

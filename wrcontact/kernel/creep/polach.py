@@ -19,9 +19,11 @@ comes to it; K is negative.  Their sum is cut to mu N.  The formula knows neithe
 zone.  For small creepages it is Kalker's linear theory: K = -(2/3) e_s.
 """
 
-from math import atan, exp, fabs, pi, sqrt
+from math import fabs, pi, sqrt
 from typing import Final
 
+from ..elementary.circle import atan
+from ..elementary.powers import exp
 from ..layout import Patch, Tables
 from .tractions import kalker_coefficients
 

@@ -19,9 +19,10 @@ lines.  None is taken below a small share of their mean: in spin the outermost s
 would be dragged the other way round by their neighbours, which errs more.
 """
 
-from math import fabs, log, sqrt
+from math import fabs, sqrt
 from typing import Final
 
+from ..elementary.powers import log
 from ..layout import (BLOCK_COUNT, REACH_CELLS, REACH_PER_UNIT, REACH_ROW, BlockMatrix, Patch, Rolling,
                       RollingBlock, RollingBlocks, RollingTable, Tables)
 from .tractions import shape_place, shape_value

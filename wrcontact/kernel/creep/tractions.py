@@ -6,9 +6,10 @@ With the weights a pi / (n + 1) sin(q pi / (n + 1)) the bound m sqrt(a^2 - x^2) 
 the coefficient of friction times the pressure on the strip's middle over its half-length.
 """
 
-from math import log, pi, sqrt
+from math import pi, sqrt
 from typing import Final
 
+from ..elementary.powers import log
 from ..layout import (ROLLING_STRIP_LIMIT, SHAPE_CELLS, SHAPE_PER_UNIT, SHAPE_ROW, SHAPE_START, Patch,
                       RollingStrip, RollingTable)
 from ..surface.tables import table_cell

@@ -13,7 +13,7 @@ inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.
 they speak of rates.
 """
 
-from math import cos, fabs, sin
+from math import fabs
 
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
@@ -27,6 +27,7 @@ from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
+from .elementary_rules import sine_cosine_rule
 from .intrinsics import held, moving, rate_of, seeded
 
 
@@ -46,11 +47,12 @@ def begin_yaw(work: Work, roll: float):
     """Place wheels that begin to yaw as yawed ones."""
     yaw = work.inputs.yaw
     if yaw == 0.0 and rate_of(yaw) != 0.0:
-        work.sides[1].place.sin_yaw = sin(yaw)
-        work.sides[1].place.cos_yaw = cos(yaw)
+        sine, cosine = sine_cosine_rule(yaw)
+        work.sides[1].place.sin_yaw = sine
+        work.sides[1].place.cos_yaw = cosine
         work.sides[1].place.yawed = True
-        work.sides[0].place.sin_yaw = -sin(yaw)
-        work.sides[0].place.cos_yaw = cos(yaw)
+        work.sides[0].place.sin_yaw = -sine
+        work.sides[0].place.cos_yaw = cosine
         work.sides[0].place.yawed = True
         for index in range(2):
             place = work.sides[index].place

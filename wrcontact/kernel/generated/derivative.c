@@ -31,18 +31,6 @@ static inline double derivative_rates__size_rate(double value, double rate)
     return result;
 }
 
-/* Rate of base ** exponent; 0 where the base is 0. */
-static inline double derivative_rates__power_rate(double power, double base, double exponent, double rate)
-{
-    double result;
-    result = 0.0;
-    if (base != 0.0)
-    {
-        result = exponent * power / base * rate;
-    }
-    return result;
-}
-
 
 /* ---- From derivative_wheelset_rules.py; change that one.
  *
@@ -75,22 +63,27 @@ static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d wor
 {
     double yaw_t;
     double yaw;
+    double sine;
+    double sine_t;
+    double cosine;
+    double cosine_t;
     int64_t index;
     int64_t place;
     yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
     yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
     if ((yaw == 0.0) && (yaw_t != 0.0))
     {
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
+        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sine_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sine;
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
         (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -(cos(yaw) * yaw_t);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sin(yaw);
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sine_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sine;
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
         (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))

@@ -22,7 +22,7 @@ static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, 
 }
 
 /* Derivative of ``begin_patch``. */
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule)
 {
     int64_t patch;
     int64_t index;
@@ -39,8 +39,6 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
     (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start_t;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle_t;
-    (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work_t, patch + layout__PATCH_RAIL)) = (*cspan_at(&work_t, region + layout__REGION_RAIL));
     (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
     (*cspan_at(&work_t, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
@@ -1024,17 +1022,24 @@ static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, d
     double v11;
     double height_before_t;
     double height_before;
-    double v12;
-    double v13;
+    double up_t;
+    double up;
+    double along_t;
+    double along;
     double angle_t;
     double angle;
+    double v13;
+    double v12;
+    double v12_t;
     double v14;
+    double v14_t;
     double v15;
     double v16;
     double v17;
     double v18;
     double v19;
     double v20;
+    double v21;
     derivative_quadrature__quadratic_at_t(&v1, &v1_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
     first_t = v1_t;
     first = v1;
@@ -1072,18 +1077,33 @@ static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, d
     v11 = 2.0 * across;
     height_before_t = 2.0 * across_t * first_root + v11 * first_root_t;
     height_before = v11 * first_root;
-    v12 = height * first_rate - height_before * last_rate;
-    v13 = height * height_before + last_rate * first_rate;
-    angle_t = (v13 * (height_t * first_rate + height * first_rate_t - (height_before_t * last_rate + height_before * last_rate_t)) - v12 * (height_t * height_before + height * height_before_t + (last_rate_t * first_rate + last_rate * first_rate_t))) / (v13 * v13 + v12 * v12);
-    angle = atan2(v12, v13);
-    v14 = last_rate * last_root - first_rate * first_root;
-    v15 = 4.0 * bend;
-    v16 = v14 / v15;
-    v17 = -bend;
-    v18 = 8.0 * v17;
-    v19 = v18 * across;
-    v20 = spread / v19;
-    (*result_0) = v16 + v20 * angle;
-    (*result_1) = (last_rate_t * last_root + last_rate * last_root_t - (first_rate_t * first_root + first_rate * first_root_t) - v16 * (4.0 * bend_t)) / v15 + ((spread_t - v20 * (8.0 * (-bend_t) * across + v18 * across_t)) / v19 * angle + v20 * angle_t);
+    up_t = height_t * first_rate + height * first_rate_t - (height_before_t * last_rate + height_before * last_rate_t);
+    up = height * first_rate - height_before * last_rate;
+    along_t = height_t * height_before + height * height_before_t + (last_rate_t * first_rate + last_rate * first_rate_t);
+    along = height * height_before + last_rate * first_rate;
+    angle_t = 0.0;
+    angle = 0.0;
+    if (along > fabs(up))
+    {
+        v13 = up / along;
+        derivative_circle__atan_rule_t(&v12, &v12_t, v13, (up_t - v13 * along_t) / along);
+        angle_t = v12_t;
+        angle = v12;
+    }
+    else
+    {
+        derivative_circle__atan2_rule_t(&v14, &v14_t, up, up_t, along, along_t);
+        angle_t = v14_t;
+        angle = v14;
+    }
+    v15 = last_rate * last_root - first_rate * first_root;
+    v16 = 4.0 * bend;
+    v17 = v15 / v16;
+    v18 = -bend;
+    v19 = 8.0 * v18;
+    v20 = v19 * across;
+    v21 = spread / v20;
+    (*result_0) = v17 + v21 * angle;
+    (*result_1) = (last_rate_t * last_root + last_rate * last_root_t - (first_rate_t * first_root + first_rate * first_root_t) - v17 * (4.0 * bend_t)) / v16 + ((spread_t - v21 * (8.0 * (-bend_t) * across + v19 * across_t)) / v20 * angle + v21 * angle_t);
     return 0;
 }

@@ -254,6 +254,10 @@ static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* r
 /* Derivative of ``place_wheelset``. */
 static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double height, double height_t, double arm, double arm_t)
 {
+    double sine;
+    double sine_t;
+    double cosine;
+    double cosine_t;
     (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = lateral_shift_t;
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
     (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = 0.0;
@@ -264,10 +268,11 @@ static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, a
     (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
     if (yaw != 0.0)
     {
-        (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
-        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cos(yaw);
+        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
+        (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = sine_t;
+        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sine;
+        (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = cosine_t;
+        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cosine;
         (*cspan_at(&work_t, place + layout__PLACE_YAWED)) = 0.0;
         (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
@@ -292,7 +297,12 @@ static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, a
 /* Derivative of ``turn_wheelset``. */
 static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double roll, double roll_t)
 {
-    derivative_locus__set_roll_t(work, work_t, place, sin(roll), cos(roll) * roll_t, cos(roll), (-sin(roll)) * roll_t);
+    double sine;
+    double sine_t;
+    double cosine;
+    double cosine_t;
+    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, roll, roll_t);
+    derivative_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return INT64_C(0);
 }
 
@@ -726,18 +736,15 @@ static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_
 /* Derivative of ``lean_rail``. */
 static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double rail_y, double rail_y_t, double angle, double angle_t)
 {
-    double sine_t;
     double sine;
-    double cosine_t;
+    double sine_t;
     double cosine;
+    double cosine_t;
     double across_t;
     double across;
     double down_t;
     double down;
-    sine_t = cos(angle) * angle_t;
-    sine = sin(angle);
-    cosine_t = (-sin(angle)) * angle_t;
-    cosine = cos(angle);
+    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, angle, angle_t);
     across_t = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - rail_y_t;
     across = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - rail_y;
     down_t = (*cspan_at(&work_t, place + layout__PLACE_REFERENCE)) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));

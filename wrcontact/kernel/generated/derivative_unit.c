@@ -3,6 +3,7 @@
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
+#include "elementary.c"
 #include "surface.c"
 #include "search.c"
 #include "contact.c"
@@ -11,6 +12,7 @@
 #include "creep.c"
 #include "wheelset.c"
 #include "derivative_normal.c"
+#include "derivative_elementary.c"
 #include "derivative_wheelset.c"
 #include "derivative_creep.c"
 #include "derivative_surface.c"

@@ -20,9 +20,14 @@ static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penet
 static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
+/* derivative_circle.py */
+static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, double* result_1, double* cosine, double* result_3, double x, double x_t);
+static inline int64_t derivative_circle__atan_rule_t(double* result_0, double* result_1, double x, double x_t);
+static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* result_1, double up, double up_t, double along, double along_t);
+
 /* derivative_coefficients.py */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t);
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
 static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
@@ -112,8 +117,8 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
 static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, double height_t);
 
 /* derivative_estimate.py */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
+static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
+static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 
@@ -133,8 +138,7 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
 
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
-static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);
 static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_double_1d work_t, int64_t side);
@@ -204,7 +208,8 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
 
 /* derivative_motion.py */
 static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t);
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion);
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t mirrored);
 static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t);
@@ -216,11 +221,11 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
 /* derivative_node_patches.py */
 static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
 static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t);
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip);
 static inline int64_t derivative_node_patches__add_part_t(double* load, double* load_t, double* moment, double* moment_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t);
 static inline int64_t derivative_node_patches__peak_square_t(double* result_0, double* result_1, double before, double before_t, double square, double square_t, double after, double after_t);
 static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k);
 static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t count);
 
 /* derivative_nodes.py */
@@ -273,6 +278,11 @@ static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array
 static inline int64_t derivative_polach__largest_shear_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
+/* derivative_powers.py */
+static inline int64_t derivative_powers__exp_rule_t(double* value, double* result_1, double x, double x_t);
+static inline int64_t derivative_powers__log_rule_t(double* result_0, double* result_1, double x, double x_t);
+static inline int64_t derivative_powers__cube_root_rule_t(double* root, double* rate, double x, double x_t);
+
 /* derivative_pressed.py */
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
 static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double y, double y_t, double bend, double bend_t);
@@ -311,7 +321,6 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, double* res
 /* derivative_rates.py */
 static inline double derivative_rates__root_rate(double root, double rate);
 static inline double derivative_rates__size_rate(double value, double rate);
-static inline double derivative_rates__power_rate(double power, double base, double exponent, double rate);
 
 /* derivative_report.py */
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_double_1d work_t, int64_t out, int64_t vector, double plane, double plane_t, double across, double across_t);

@@ -76,8 +76,8 @@ static inline int64_t prepare_zones__turned_point(double* result_0, double* resu
 static inline double prepare_zones__clamped(double x, double low, double high);
 static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
 static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y);
-static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle);
-static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double angle);
+static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double cosine, double sine);
+static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double cosine, double sine);
 static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle);
 static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth);
 static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth);
@@ -359,7 +359,7 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
     tables__height_slope(&z_0, &slope, tables, profile, y_0);
     tables__height_slope(&z_1, &slope, tables, profile, y_1);
     tables__height_slope(&z_2, &slope, tables, profile, y_2);
-    return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step;
+    return (circle__atan2(z_2 - z_1, y_2 - y_1) - circle__atan2(z_1 - z_0, y_1 - y_0)) / step;
 }
 
 /* What the chosen lateral curvature reads of a profile, at ``base``; the offset after it, or FULL. */
@@ -393,7 +393,7 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     }
     start = (*cspan_at(&tables, profile + layout__PROFILE_START));
     stop = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-    count = (int64_t)((int64_t)ceil((stop - start) / double_min(2, double_max(2, prepare_curvatures__RASTER_SHARE * scale, prepare_curvatures__FINEST), prepare_curvatures__COARSEST))) + INT64_C(1);
+    count = whole__rounded_up((stop - start) / double_min(2, double_max(2, prepare_curvatures__RASTER_SHARE * scale, prepare_curvatures__FINEST), prepare_curvatures__COARSEST)) + INT64_C(1);
     table = base;
     first = table + layout__CURVATURE_TABLE_CURVATURES;
     if (first + count > (int64_t)tables.shape[INT64_C(0)])
@@ -437,7 +437,7 @@ static inline int64_t prepare_curvatures__open_table(int64_t* cells, int64_t* re
 {
     int64_t table;
     int64_t end;
-    (*cells) = (int64_t)((int64_t)ceil(length / prepare_curvatures__ARC_STEP));
+    (*cells) = whole__rounded_up(length / prepare_curvatures__ARC_STEP);
     table = base;
     end = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * (*cells);
     if (end > (int64_t)tables.shape[INT64_C(0)])
@@ -768,7 +768,7 @@ static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t
     }
     if ((last > start) && (at != prepare_pieces__FULL))
     {
-        count = (int64_t)((int64_t)ceil((last - start) / prepare_pieces__LONGEST_PIECE));
+        count = whole__rounded_up((last - start) / prepare_pieces__LONGEST_PIECE);
         length = (last - start) / (double)(count);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
@@ -808,7 +808,7 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
     count = (int64_t)((*cspan_at(&zones, definition + prepare_zones__DEFINITION_COUNT)));
     start = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + prepare_zones__ZONE_START));
     stop = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + (count - INT64_C(1)) * (int64_t)((*cspan_at(&zones, definition + prepare_zones__DEFINITION_ROW))) + prepare_zones__ZONE_STOP));
-    bins = (int64_t)((int64_t)ceil((stop - start) / prepare_pieces__BIN_WIDTH));
+    bins = whole__rounded_up((stop - start) / prepare_pieces__BIN_WIDTH);
     profile = base;
     first = profile + layout__PROFILE_BINS + bins;
     at = first;
@@ -1038,7 +1038,7 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
 /* How many coarse steps the wheel is divided into. */
 static inline int64_t prepare_scan__coarse_count(double start, double stop)
 {
-    return (int64_t)((int64_t)ceil((stop - start) / prepare_scan__COARSE_STEP));
+    return whole__rounded_up((stop - start) / prepare_scan__COARSE_STEP);
 }
 
 /* Abscissa [m] of coarse node ``i`` of ``count`` + 1, the ends to the last bit. */
@@ -1260,7 +1260,7 @@ static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_doub
         return count;
     }
     bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
-    cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + layout__PROFILE_STOP)) - (*cspan_at(&tables, rail + layout__PROFILE_START))) / prepare_scan__FINE_STEP));
+    cells = whole__rounded_up(((*cspan_at(&tables, rail + layout__PROFILE_STOP)) - (*cspan_at(&tables, rail + layout__PROFILE_START))) / prepare_scan__FINE_STEP);
     (*cspan_at(&tables, scan + layout__SCAN_COUNT)) = (double)(count);
     (*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)) = (double)(cells);
     (*cspan_at(&tables, scan + layout__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
@@ -1551,7 +1551,7 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
     double reached;
     int64_t end;
     scratch = prepare_tables__copy_definition(definition, work, INT64_C(0));
-    angle = -atan(inclination);
+    angle = -circle__atan(inclination);
     prepare_zones__highest_point(&y_top, &z_top, work, INT64_C(0), angle);
     depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
     prepare_zones__inner_face(&y_gauge, &reached, work, INT64_C(0), angle, depth);
@@ -1948,34 +1948,34 @@ static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* 
     return 0;
 }
 
-/* What has the sign of the slope of a zone turned by ``angle`` [rad], at ``t`` [mm]. */
-static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double angle)
+/* What has the sign of the slope of a turned zone at ``t`` [mm]. */
+static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double cosine, double sine)
 {
     double z;
     double slope;
     double bend;
     prepare_zones__upright_jet(&z, &slope, &bend, zones, row, t);
-    return sin(angle) + cos(angle) * slope;
+    return sine + cosine * slope;
 }
 
 /* Where in a zone the turned slope rises through zero [mm], to the last bit; its
  * start if that is nowhere.
  */
-static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double angle)
+static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double cosine, double sine)
 {
     double low;
     double high;
     double middle;
     low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
     high = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
-    if (!((prepare_zones__turned_slope(zones, row, low, angle) < 0.0) && (0.0 <= prepare_zones__turned_slope(zones, row, high, angle))))
+    if (!((prepare_zones__turned_slope(zones, row, low, cosine, sine) < 0.0) && (0.0 <= prepare_zones__turned_slope(zones, row, high, cosine, sine))))
     {
         return low;
     }
     middle = 0.5 * (low + high);
     while((low < middle) && (middle < high))
     {
-        if (prepare_zones__turned_slope(zones, row, middle, angle) < 0.0)
+        if (prepare_zones__turned_slope(zones, row, middle, cosine, sine) < 0.0)
         {
             low = middle;
         }
@@ -1991,8 +1991,8 @@ static inline double prepare_zones__level_place(array_double_1d zones, int64_t r
 /* Point (y, z) [mm] of the turned head where it is level and highest. */
 static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle)
 {
-    double cosine;
     double sine;
+    double cosine;
     int64_t i_end;
     int64_t i;
     int64_t row;
@@ -2000,13 +2000,12 @@ static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top,
     double z;
     (*y_top) = 0.0;
     (*z_top) = 0.0;
-    cosine = cos(angle);
-    sine = sin(angle);
+    circle__sine_cosine(&sine, &cosine, angle);
     i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-        prepare_zones__turned_point(&y, &z, zones, row, prepare_zones__level_place(zones, row, angle), cosine, sine);
+        prepare_zones__turned_point(&y, &z, zones, row, prepare_zones__level_place(zones, row, cosine, sine), cosine, sine);
         if ((i == INT64_C(0)) || (z < (*z_top)))
         {
             (*y_top) = y;
@@ -2052,15 +2051,14 @@ static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_
 static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth)
 {
     double deepest;
-    double cosine;
     double sine;
+    double cosine;
     int64_t i;
     int64_t row;
     double y;
     double z;
     deepest = prepare_zones__NO_FACE;
-    cosine = cos(angle);
-    sine = sin(angle);
+    circle__sine_cosine(&sine, &cosine, angle);
     i = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT))) - INT64_C(1);
     while(i >= INT64_C(0))
     {
@@ -2090,10 +2088,13 @@ static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row
     double y_centre;
     double z_centre;
     double radius;
+    double first;
+    double unused;
+    double last;
     double start;
     double stop;
-    double c;
     double s;
+    double c;
     double y_start;
     double z_start;
     double y_stop;
@@ -2102,14 +2103,15 @@ static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row
     y_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
     z_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE));
     radius = (*cspan_at(&zones, row + prepare_zones__ZONE_RADIUS));
-    start = double_max(2, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), y_centre - radius * sin(prepare_zones__STEEPEST + tilt));
-    stop = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), y_centre + radius * sin(prepare_zones__STEEPEST - tilt));
+    circle__sine_cosine(&first, &unused, prepare_zones__STEEPEST + tilt);
+    circle__sine_cosine(&last, &unused, prepare_zones__STEEPEST - tilt);
+    start = double_max(2, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), y_centre - radius * first);
+    stop = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), y_centre + radius * last);
     if (stop - start <= prepare_zones__SLIVER)
     {
         return INT64_C(0);
     }
-    c = cos(angle);
-    s = sin(angle);
+    circle__sine_cosine(&s, &c, angle);
     prepare_zones__turned_point(&y_start, &z_start, zones, row, start, c, s);
     prepare_zones__turned_point(&y_stop, &z_stop, zones, row, stop, c, s);
     (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_start + y_shift;
@@ -2128,8 +2130,8 @@ static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int6
     double at_first;
     double bend;
     double at_last;
-    double c;
     double s;
+    double c;
     double y_first;
     double y_last;
     if ((angle == 0.0) && (y_shift == 0.0) && (z_shift == 0.0))
@@ -2140,12 +2142,11 @@ static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int6
     last = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
     prepare_zones__upright_jet(&z, &at_first, &bend, zones, row, first);
     prepare_zones__upright_jet(&z, &at_last, &bend, zones, row, last);
-    if ((fabs(atan(at_first) + angle) > prepare_zones__STEEPEST) || (fabs(atan(at_last) + angle) > prepare_zones__STEEPEST))
+    if ((fabs(circle__atan(at_first) + angle) > prepare_zones__STEEPEST) || (fabs(circle__atan(at_last) + angle) > prepare_zones__STEEPEST))
     {
         return INT64_C(0);
     }
-    c = cos(angle);
-    s = sin(angle);
+    circle__sine_cosine(&s, &c, angle);
     prepare_zones__turned_point(&y_first, &z, zones, row, first, c, s);
     prepare_zones__turned_point(&y_last, &z, zones, row, last, c, s);
     (*cspan_at(&zones, row + prepare_zones__ZONE_TURNED)) = 1.0;

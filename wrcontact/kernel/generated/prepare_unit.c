@@ -3,5 +3,6 @@
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
+#include "elementary.c"
 #include "surface.c"
 #include "prepare.c"

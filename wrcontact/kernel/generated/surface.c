@@ -267,14 +267,17 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
  */
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm)
 {
+    double sine;
+    double cosine;
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = 1.0;
     (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
     if (yaw != 0.0)
     {
-        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cos(yaw);
+        circle__sine_cosine(&sine, &cosine, yaw);
+        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sine;
+        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cosine;
         (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
     (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
@@ -291,7 +294,10 @@ static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place,
 /* Give a placed wheelset another roll [rad]. */
 static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll)
 {
-    locus__set_roll(work, place, sin(roll), cos(roll));
+    double sine;
+    double cosine;
+    circle__sine_cosine(&sine, &cosine, roll);
+    locus__set_roll(work, place, sine, cosine);
     return INT64_C(0);
 }
 
@@ -520,8 +526,7 @@ static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, doub
     double cosine;
     double across;
     double down;
-    sine = sin(angle);
-    cosine = cos(angle);
+    circle__sine_cosine(&sine, &cosine, angle);
     across = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - rail_y;
     down = (*cspan_at(&work, place + layout__PLACE_REFERENCE)) - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = rail_y + cosine * across + sine * down;

@@ -14,7 +14,7 @@ from .contact import *  # noqa: F403
 from .creep import *  # noqa: F403
 from .interface import *  # noqa: F403
 from .patch import *  # noqa: F403
-from .record import clear, copy, inlined, offset, seldom, size  # noqa: F401
+from .record import clear, copy, inlined, native, offset, seldom, size  # noqa: F401
 from .search import *  # noqa: F403
 
 

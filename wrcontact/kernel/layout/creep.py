@@ -65,6 +65,8 @@ class Motion:
     turn_z: float
     wheel_rate: float               # rotation about the axle, positive when it rolls forward [rad/s]
     track_rate: float               # rotation of the track frame in space, about z [rad/s]
+    ahead_x: float                  # direction of the axis about which the wheelset rolls, forward
+    ahead_y: float
     axle_x: float                   # direction of the axle, to the right
     axle_y: float
     axle_z: float

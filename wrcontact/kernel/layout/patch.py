@@ -113,7 +113,9 @@ class Patch:
     station: float                  # station [m],
     x: float                        # track coordinate x [m]
     penetration: float              # of the undeformed surfaces at its point [m]
-    contact_angle: float            # of its force [rad]
+    contact_angle: float            # of its force [rad],
+    angle_sin: float                # and its sine and cosine
+    angle_cos: float
     x_track: float                  # its centre of load [m]
     y_track: float
     z_track: float
@@ -252,13 +254,13 @@ class InfluenceTable:
 
 
 HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table
+HERTZ_CELLS: Final[int] = 32         # its cells in each octave of B/A
+HERTZ_OCTAVES: Final[int] = 26       # and its octaves on each side of 1
 
 
 @record
 class HertzTable:
-    """1 + alpha and n r over ln(B/A), as quintics over uniform cells (normal/coefficients.py)."""
+    """1 + alpha and n r over B/A, as quintics over HERTZ_CELLS even cells in each octave, between
+    2^-HERTZ_OCTAVES and 2^HERTZ_OCTAVES (normal/coefficients.py)."""
 
-    count: float                    # cells
-    start: float                    # where the first one begins
-    cells_per_unit: float
     rows: Float * OPEN              # HERTZ_ROW numbers a cell: six of 1 + alpha, six of n r

@@ -13,7 +13,7 @@ tools/lower_records.py.)
 A record is where its memory is: ``Region.at(array, offset)`` copies nothing, a record handed on or kept under
 another name is the same memory, and what Python writes the compiled kernel reads.
 
-Marks at functions, ``seldom`` and ``inlined``, say what the C compiler makes of them; in Python they do
+Marks at functions, ``seldom``, ``inlined`` and ``native``, say what C makes of them; in Python they do
 nothing.  A compiler inlines only so much of one unit.  What it spends on functions that a usual step does not
 enter it takes from the usual step: 4 % when yawed.
 """
@@ -152,4 +152,9 @@ def seldom(function):
 def inlined(function):
     """A small function of the innermost loops: it is always inlined.  Without it the compiler leaves it out
     where the unit has grown enough, and a rigid step takes up to 5 % more instructions."""
+    return function
+
+
+def native(function):
+    """A function that C has by itself (native/spans.h), with the same result."""
     return function

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Not in strict C11. */
 #ifndef M_PI
@@ -91,6 +92,22 @@ static inline double double_min(int two, double a, double b) { (void)two; return
 static inline double double_max(int two, double a, double b) { (void)two; return b > a ? b : a; }
 static inline int64_t int64_t_min(int two, int64_t a, int64_t b) { (void)two; return b < a ? b : a; }
 static inline int64_t int64_t_max(int two, int64_t a, int64_t b) { (void)two; return b > a ? b : a; }
+
+/* Exponents of floats, as the Python source has them (elementary/binary.py). */
+static ALWAYS_INLINE int64_t binary__exponent(double x)
+{
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (bits >> 52) - 1023;
+}
+
+static ALWAYS_INLINE double binary__power_of_two(int64_t k)
+{
+    const uint64_t bits = (uint64_t)(k + 1023) << 52;
+    double power;
+    memcpy(&power, &bits, sizeof power);
+    return power;
+}
 
 /* a // b and a % b of integers: rounded down, the remainder with the sign of b. */
 static inline int64_t py_floor_div_int64_t(int64_t a, int64_t b)

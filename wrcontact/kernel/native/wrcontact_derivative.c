@@ -34,7 +34,10 @@ static void difference(const wrcontact_handle *own, const wrcontact_handle *hand
 {
     double size = 0.0, ways[2] = {0.0, 0.0};
     for (int i = 0; i < layout__INPUT_COUNT; i += 1)
-        size = fmax(size, fabs(seed[i]) / layout__INPUT_NOMINALS[i]);
+    {
+        const double share = fabs(seed[i]) / layout__INPUT_NOMINALS[i];
+        size = share > size ? share : size;
+    }
     for (int side = 0; side < 2 && size > 0.0; side += 1)
     {
         const double sign = side ? 1.0 : -1.0;

@@ -17,6 +17,7 @@ counts by its share along each normal, and a displacement by the cosine of the a
 from math import fabs, pi, sqrt
 from typing import Final
 
+from ..elementary.powers import cube_root
 from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables
 from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 
@@ -199,7 +200,8 @@ def penetration_move(force: float, total: float, slope: float, rest: float, pene
     if slope > 0.0:
         newton = penetration + (force - total - rest) / slope
         if fabs(force - total) > NEARLY * force and total > 0.0:
-            newton = penetration + (1.5 * total * ((force / total) ** (2.0 / 3.0) - 1.0) - rest) / slope
+            root = cube_root(force / total)
+            newton = penetration + (1.5 * total * (root * root - 1.0) - rest) / slope
         if newton > low and newton < high:
             following = newton
     return following - penetration

@@ -6,12 +6,13 @@ sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
     A < B:                 m = L,    n = L q,  r the same
 
-so that the three combinations ANALYN needs are functions of ln(B/A) alone:
+so that the three combinations ANALYN needs are functions of B/A alone:
 
     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
 
-and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
-(kernel/binding/fixed_tables.py).
+and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
+where an exponent and a difference find the place, exact to 1e-12
+(kernel/binding/exact_tables.py).
 
 ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
 Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
@@ -26,11 +27,12 @@ That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's
 (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
 """
 
-from math import fabs, log, sqrt
+from math import fabs, sqrt
 from typing import Final
 
-from ..layout import HERTZ_ROW, LATERAL_ADAPTIVE, HertzTable, NodeRun, Nodes, Region, Tables
-from ..surface.tables import table_cell
+from ..elementary.binary import exponent, power_of_two
+from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, HERTZ_ROW, LATERAL_ADAPTIVE, HertzTable, NodeRun, Nodes,
+                      Region, Tables)
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
@@ -42,21 +44,27 @@ FLOOR: Final[float] = 0.02
 #: the edge.
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
+#: Range of the table of Hertz's coefficients: 2^-26 to the last float below 2^26.
+LEAST_RATIO: Final[float] = 1.4901161193847656e-08
+MOST_RATIO: Final[float] = 67108863.999999993
 
 
-def table_value(table: HertzTable, column: int, abscissa: float):
-    """Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range."""
-    cell, u = table_cell((abscissa - table.start) * table.cells_per_unit, table.count)
-    at = HERTZ_ROW * cell + column
+def table_value(table: HertzTable, column: int, ratio: float):
+    """Value of column 0 (1 + alpha) or 6 (n r) at the ``ratio`` B/A; clamped to the table's range."""
+    ratio = min(max(LEAST_RATIO, ratio), MOST_RATIO)
+    octave = exponent(ratio)
+    place = float(HERTZ_CELLS) * (ratio * power_of_two(-octave) - 1.0)
+    cell = int(place)
+    u = place - float(cell)
+    at = HERTZ_ROW * (HERTZ_CELLS * (octave + HERTZ_OCTAVES) + cell) + column
     high = table.rows[at + 3] + u * (table.rows[at + 4] + u * table.rows[at + 5])
     return table.rows[at] + u * (table.rows[at + 1] + u * (table.rows[at + 2] + u * high))
 
 
 def hertz_coefficients(table: HertzTable, A: float, B: float):
     """1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive."""
-    ratio = log(B / A)
-    return (table_value(table, 0, ratio), table_value(table, 0, -ratio),
-            table_value(table, 6, ratio))
+    ratio = B / A
+    return table_value(table, 0, ratio), table_value(table, 0, A / B), table_value(table, 6, ratio)
 
 
 def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
@@ -185,9 +193,9 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
             side = B
         else:
             secant, side, B = adaptive_curvatures(region, nodes.gap, k, window, middle, mean, least)
-        alpha = table_value(table, 0, log(secant / A))
-        beta = table_value(table, 0, log(A / side))
-        nr = table_value(table, 6, log(B / A))
+        alpha = table_value(table, 0, secant / A)
+        beta = table_value(table, 0, A / side)
+        nr = table_value(table, 6, B / A)
         if yawed:
             alpha *= alpha_factor
             beta *= beta_factor

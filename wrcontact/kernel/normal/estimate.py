@@ -4,6 +4,7 @@ result."""
 from typing import Final
 
 from ..contact.frame import open_contact_region
+from ..elementary.powers import cube_root
 from ..layout import Contact, Pair, Regions
 from .coefficients import FLOOR, hertz_coefficients, hertz_stiffness
 from ..contact.widths import measure_widths
@@ -20,7 +21,7 @@ LEAST_SHARE: Final[float] = 0.1
 def guess_penetration(force: float, A: float, contact_modulus: float):
     """((3 N / 4 E*)^2 (A + B))^(1/3) [m], Hertz's eq. (2.8) with r = 1 and a typical B."""
     share = 0.75 * force / contact_modulus
-    return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
+    return cube_root(share * share * (1.0 + TYPICAL_RATIO) * A)
 
 
 def estimate_penetration(pair: Pair, contact: Contact, force: float):
@@ -41,7 +42,8 @@ def estimate_penetration(pair: Pair, contact: Contact, force: float):
         B = guess / (width * width)
     one_alpha, one_beta, nr = hertz_coefficients(pair.tables.hertz, A, B)
     stiffness = hertz_stiffness(one_beta, nr, B, pair.tables.contact_modulus)
-    return (force / stiffness) ** (2.0 / 3.0)
+    root = cube_root(force / stiffness)
+    return root * root
 
 
 def first_penetration(pair: Pair, contact: Contact, force: float):

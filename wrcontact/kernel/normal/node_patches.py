@@ -5,7 +5,7 @@ Between the strips the line load and the squares of half-length and pressure fol
 regions, and a region may hold two patches.
 """
 
-from math import atan, fabs, pi, sqrt
+from math import fabs, pi, sqrt
 from typing import Final
 
 from ..layout import RULE_QUADRATIC, Contact, Nodes, Patch, Region, SideSearch, SolvedStrip, SolvedStrips
@@ -29,9 +29,8 @@ def fill_from_nodes(contact: Contact, side: SideSearch, count: int):
             region.strip = strips - region.first
             fill_strips(region, contact.nodes[index], contact.strips)
             strips += region.last - region.first + 1
-            angle = -atan(region.inclination)
             for k in range(region.first, region.last):
-                add_cell(contact, side, index, k, angle)
+                add_cell(contact, side, index, k)
     finish_patch(side)
     finish_patches(side)
 
@@ -64,7 +63,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
     strips[middle + region.last].width = 0.5 * spacing
 
 
-def add_cell(contact: Contact, side: SideSearch, number: int, k: int, contact_angle: float):
+def add_cell(contact: Contact, side: SideSearch, number: int, k: int):
     """Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
     new one that begins in it."""
     region = contact.regions[number]
@@ -94,7 +93,7 @@ def add_cell(contact: Contact, side: SideSearch, number: int, k: int, contact_an
         if outward < 0:
             begin = inner.station - spacing * stop
             end = inner.station - spacing * start
-        index = patch_from(side, region, begin, strip + k, contact_angle)
+        index = patch_from(side, region, begin, strip + k)
         patch = side.patches[index]
         patch.totals.stop = end
         patch.last = strip + k + 1
@@ -119,7 +118,7 @@ def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: fl
     outer.width += (outer_share - 0.5) * spacing
 
 
-def patch_from(side: SideSearch, region: Region, start: float, strip: int, contact_angle: float):
+def patch_from(side: SideSearch, region: Region, start: float, strip: int):
     """Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
     to: the last one if that ends there, else a new one."""
     index = side.patch_count - 1
@@ -130,7 +129,7 @@ def patch_from(side: SideSearch, region: Region, start: float, strip: int, conta
             joined = True
     if not joined:
         finish_patch(side)
-        index = begin_patch(side, region, start, strip, RULE_QUADRATIC, contact_angle)
+        index = begin_patch(side, region, start, strip, RULE_QUADRATIC)
     return index
 
 

@@ -6,7 +6,7 @@ interpenetration. So a result depends on the pose alone and is smooth in it.
 They reach as far as the gap says that strips are loaded.
 """
 
-from math import log, sqrt
+from math import sqrt
 from typing import Final
 
 from ..contact.curves import open_origin
@@ -245,7 +245,7 @@ def zone_share(tables: Tables, A: float, side: float):
     ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
     curvatures 1 + beta may fall to 1."""
     side = max(side, FLOOR * A)
-    share = SPREAD / table_value(tables.hertz, 0, log(A / side))
+    share = SPREAD / table_value(tables.hertz, 0, A / side)
     if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
     return share

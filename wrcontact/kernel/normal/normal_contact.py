@@ -9,6 +9,7 @@ Hertz's stands here: one elliptic patch in closed form, with the curvatures at t
 from math import isfinite, pi, sqrt
 
 from ..contact.frame import locate_along_track
+from ..elementary.powers import cube_root
 from ..layout import (MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, RULE_ELLIPSE, Contact, Pair, SideSearch,
                       Tables)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
@@ -33,7 +34,8 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     stiffness = hertz_stiffness(one_beta, nr, B, pair.tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
-        penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
+        root = cube_root(force / (region.share * stiffness))
+        penetration = root * root
     load = stiffness * penetration * sqrt(penetration)
     region.stiffness = 1.5 * stiffness * sqrt(penetration)
     region.carried = load
@@ -43,7 +45,7 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
     clear_patches(side)
-    patch = side.patches[begin_patch(side, region, -half_width, 0, RULE_ELLIPSE, point.contact_angle)]
+    patch = side.patches[begin_patch(side, region, -half_width, 0, RULE_ELLIPSE)]
     add_load(patch, 0, load, 0.0)
     patch.totals.area = pi * half_length * half_width
     patch.totals.stop = half_width

@@ -5,9 +5,10 @@ acts, or the mean over a region where that is known (``mean_normal``).  A patch 
 between two regions has two normals and two places, one for each.
 """
 
-from math import atan, sqrt
+from math import sqrt
 
 from ..contact.curves import rail_abscissa
+from ..elementary.circle import atan
 from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Nodes, Pair, Patch,
                       Region, SideSearch)
 from ..surface.rails import on_track, upright_share
@@ -117,7 +118,10 @@ def close_place(patch: Patch):
         patch.y_track /= load
         patch.z_track /= load
         patch.rolling_radius /= load
-        patch.contact_angle = -atan(patch.normal_y / -patch.normal_z)
+        slope = patch.normal_y / -patch.normal_z
+        patch.contact_angle = -atan(slope)
+        patch.angle_cos = 1.0 / sqrt(1.0 + slope * slope)
+        patch.angle_sin = -slope * patch.angle_cos
 
 
 def place_strips(pair: Pair, contact: Contact, patch: Patch):

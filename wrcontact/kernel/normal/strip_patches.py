@@ -4,7 +4,7 @@ Near the edge of a patch the line load falls to zero in proportion to the distan
 straight line through the line loads of the last two strips ends.
 """
 
-from math import atan, pi, sqrt
+from math import pi, sqrt
 from typing import Final
 
 from ..layout import (LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Contact, Equations, Frame, Region,
@@ -76,7 +76,7 @@ def fill_run(contact: Contact, side: SideSearch, first: int, last: int):
     start = run_edge(strips, problem.count, first, last, -1)
     stop = run_edge(strips, problem.count, last, first, 1)
     region = contact.regions[strips[first].region]
-    index = begin_patch(side, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
+    index = begin_patch(side, region, start, first, RULE_STRAIGHT)
     patch = side.patches[index]
     for i in range(first, last + 1):
         keep_strip(strips[i], contact.strips[i])

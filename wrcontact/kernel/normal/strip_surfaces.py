@@ -1,6 +1,6 @@
 """What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it."""
 
-from math import log, sqrt
+from math import sqrt
 from typing import Final
 
 from ..contact.frame import NO_GAP, enter_plane, is_yawed, leave_plane
@@ -160,8 +160,8 @@ def first_lengths(pair: Pair, contact: Contact, count: int):
         B = sqrt(low * high)
         one_alpha, one_beta, nr = hertz_coefficients(pair.tables.hertz, A, B)
         lean = 0.0
-        low_beta = table_value(pair.tables.hertz, 0, log(A / low))
-        high_beta = table_value(pair.tables.hertz, 0, log(A / high))
+        low_beta = table_value(pair.tables.hertz, 0, A / low)
+        high_beta = table_value(pair.tables.hertz, 0, A / high)
         if is_yawed(frame):
             slant = ridge_slant(problem, index)
             alpha, beta, nr = skewed_coefficients(pair.tables.hertz, A, B, slant)

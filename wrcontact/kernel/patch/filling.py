@@ -12,7 +12,7 @@ def clear_patches(side: SideSearch):
     clear(side.totals)
 
 
-def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule: int, contact_angle: float):
+def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule: int):
     """Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its
     index.
 
@@ -26,7 +26,6 @@ def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule
     forget(patch)
     patch.totals.start = start
     patch.totals.stop = start
-    patch.contact_angle = contact_angle
     patch.rail = region.rail
     patch.wheel = region.wheel
     patch.station = region.offset + region.station

@@ -5,8 +5,10 @@ ends the quadratic through the three is taken, with a limited bend (:func:`bend_
 integrated exactly.  A place in a cell is its share of the cell, counted from the inner end.
 """
 
-from math import atan2, fabs, sqrt
+from math import fabs, sqrt
 from typing import Final
+
+from ..elementary.circle import atan, atan2
 
 #: Bend, as a share of the end values, below which a quadratic is expanded about its chord: leaves the square
 #: of it.
@@ -117,7 +119,12 @@ def bent_integral(low: float, slope: float, bend: float, start: float, stop: flo
     across = sqrt(-bend)
     height = 2.0 * across * last_root
     height_before = 2.0 * across * first_root
-    angle = atan2(height * first_rate - height_before * last_rate,
-                  height * height_before + last_rate * first_rate)
+    up = height * first_rate - height_before * last_rate
+    along = height * height_before + last_rate * first_rate
+    angle = 0.0
+    if along > fabs(up):
+        angle = atan(up / along)
+    else:
+        angle = atan2(up, along)
     return ((last_rate * last_root - first_rate * first_root) / (4.0 * bend)
             + spread / (8.0 * -bend * across) * angle)

@@ -8,9 +8,11 @@ The rail's arc length is tabled over its abscissa, and the abscissa over the arc
 over even cells: value and slope at the ends of a cell are exact.
 """
 
-from math import atan2, ceil, fabs, sqrt
+from math import fabs, sqrt
 from typing import Final
 
+from ..elementary.circle import atan2
+from ..elementary.whole import rounded_up
 from ..layout import (CUBIC_SIZE, LATERAL_ROUGH, LATERAL_SMOOTH, PIECE_SIZE, CubicTable, CurvatureTable,
                       Profile, Tables, offset)
 from ..surface.tables import height_slope
@@ -197,7 +199,7 @@ def write_curvatures(tables: Tables, base: int, profile: int, sign: float, work:
         scale = reach
     start = Profile.at(tables.raw, profile).start
     stop = Profile.at(tables.raw, profile).stop
-    count = int(ceil((stop - start) / min(max(RASTER_SHARE * scale, FINEST), COARSEST))) + 1
+    count = rounded_up((stop - start) / min(max(RASTER_SHARE * scale, FINEST), COARSEST)) + 1
     table = CurvatureTable.at(tables.raw, base)
     first = offset(table.curvatures, tables)
     if first + count > tables.raw.shape[0]:
@@ -225,7 +227,7 @@ def write_curvatures(tables: Tables, base: int, profile: int, sign: float, work:
 def open_table(tables: Tables, base: int, start: float, length: float):
     """A table of cubics over ``length`` [m] from ``start`` [m] on, at ``base``; its number of cells and the
     offset after it, or FULL."""
-    cells = int(ceil(length / ARC_STEP))
+    cells = rounded_up(length / ARC_STEP)
     table = CubicTable.at(tables.raw, base)
     end = offset(table.cells[0], tables) + CUBIC_SIZE * cells
     if end > tables.raw.shape[0]:

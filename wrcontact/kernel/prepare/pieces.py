@@ -6,9 +6,10 @@ leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 
 their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
 """
 
-from math import ceil, fabs
+from math import fabs
 from typing import Final
 
+from ..elementary.whole import rounded_up
 from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
 
@@ -154,7 +155,7 @@ def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index:
         repaired = True
         last = max(stop - REPAIR_WIDTH, 0.5 * (zone_start + stop))
     if last > start and at != FULL:
-        count = int(ceil((last - start) / LONGEST_PIECE))
+        count = rounded_up((last - start) / LONGEST_PIECE)
         length = (last - start) / float(count)
         for i in range(count):
             high = float(i + 1) * length + start
@@ -174,7 +175,7 @@ def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: 
     start = zones[definition + DEFINITION_ZONES + ZONE_START]
     stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW])
                  + ZONE_STOP]
-    bins = int(ceil((stop - start) / BIN_WIDTH))
+    bins = rounded_up((stop - start) / BIN_WIDTH)
     profile = Profile.at(tables, base)
     first = offset(profile.bins, tables) + bins
     at = first

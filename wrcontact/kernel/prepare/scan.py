@@ -4,9 +4,10 @@ The table is the record Scan. Scratch holds, for each piece of the profile at wo
 second derivative and the largest absolute slope of its samples.
 """
 
-from math import ceil, fabs
+from math import fabs
 from typing import Final
 
+from ..elementary.whole import rounded_up
 from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Pair, Profile,
                       Scan, Setup, Tables, offset)
 from ..search.bounds import STEEP, WIDEST
@@ -122,7 +123,7 @@ def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, lo
 
 def coarse_count(start: float, stop: float):
     """How many coarse steps the wheel is divided into."""
-    return int(ceil((stop - start) / COARSE_STEP))
+    return rounded_up((stop - start) / COARSE_STEP)
 
 
 def raster_place(start: float, stop: float, count: int, i: int):
@@ -245,7 +246,7 @@ def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: 'float[:
     if count < 0:
         return count
     bins = coarse_count(wheel.start, wheel.stop)
-    cells = int(ceil((rail.stop - rail.start) / FINE_STEP))
+    cells = rounded_up((rail.stop - rail.start) / FINE_STEP)
     scan.count = count
     scan.rail_count = cells
     scan.rail_start = rail.start

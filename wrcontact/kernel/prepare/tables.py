@@ -11,9 +11,9 @@ with the sizes of its tables: Hertz's, that of influences, and that of rolling f
 (binding/rolling_table.py).  The tables follow one after the other.
 """
 
-from math import atan
 from typing import Final
 
+from ..elementary.circle import atan
 from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
                       POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SETTING_COUNT,
                       SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT, STATION_COUNT,

@@ -9,8 +9,10 @@ The rail on the track, and the part of a wheel that can be read, are definitions
 cut from these.
 """
 
-from math import atan, cos, fabs, sin, sqrt
+from math import fabs, sqrt
 from typing import Final
+
+from ..elementary.circle import atan, sine_cosine
 
 DEFINITION_COUNT: Final[int] = 0
 DEFINITION_ROW: Final[int] = 1
@@ -134,22 +136,23 @@ def zone_jet(zones: 'float[:]', row: int, y: float):
     return z, slope, bend
 
 
-def turned_slope(zones: 'float[:]', row: int, t: float, angle: float):
-    """What has the sign of the slope of a zone turned by ``angle`` [rad], at ``t`` [mm]."""
+def turned_slope(zones: 'float[:]', row: int, t: float, cosine: float, sine: float):
+    """What has the sign of the slope of a turned zone at ``t`` [mm]."""
     z, slope, bend = upright_jet(zones, row, t)
-    return sin(angle) + cos(angle) * slope
+    return sine + cosine * slope
 
 
-def level_place(zones: 'float[:]', row: int, angle: float):
+def level_place(zones: 'float[:]', row: int, cosine: float, sine: float):
     """Where in a zone the turned slope rises through zero [mm], to the last bit; its
     start if that is nowhere."""
     low = zones[row + ZONE_START]
     high = zones[row + ZONE_STOP]
-    if not (turned_slope(zones, row, low, angle) < 0.0 and 0.0 <= turned_slope(zones, row, high, angle)):
+    if not (turned_slope(zones, row, low, cosine, sine) < 0.0
+            and 0.0 <= turned_slope(zones, row, high, cosine, sine)):
         return low
     middle = 0.5 * (low + high)
     while low < middle and middle < high:
-        if turned_slope(zones, row, middle, angle) < 0.0:
+        if turned_slope(zones, row, middle, cosine, sine) < 0.0:
             low = middle
         else:
             high = middle
@@ -161,11 +164,10 @@ def highest_point(zones: 'float[:]', base: int, angle: float):
     """Point (y, z) [mm] of the turned head where it is level and highest."""
     y_top = 0.0
     z_top = 0.0
-    cosine = cos(angle)
-    sine = sin(angle)
+    sine, cosine = sine_cosine(angle)
     for i in range(int(zones[base + DEFINITION_COUNT])):
         row = base + DEFINITION_ZONES + i * int(zones[base + DEFINITION_ROW])
-        y, z = turned_point(zones, row, level_place(zones, row, angle), cosine, sine)
+        y, z = turned_point(zones, row, level_place(zones, row, cosine, sine), cosine, sine)
         if i == 0 or z < z_top:
             y_top = y
             z_top = z
@@ -193,8 +195,7 @@ def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
     """Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
     reached, which is less where the side ends before."""
     deepest = NO_FACE
-    cosine = cos(angle)
-    sine = sin(angle)
+    sine, cosine = sine_cosine(angle)
     i = int(zones[base + DEFINITION_COUNT]) - 1
     while i >= 0:
         row = base + DEFINITION_ZONES + i * int(zones[base + DEFINITION_ROW])
@@ -213,12 +214,13 @@ def turn_arc(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift:
     y_centre = zones[row + ZONE_ORIGIN]
     z_centre = zones[row + ZONE_Z_CENTRE]
     radius = zones[row + ZONE_RADIUS]
-    start = max(zones[row + ZONE_START], y_centre - radius * sin(STEEPEST + tilt))
-    stop = min(zones[row + ZONE_STOP], y_centre + radius * sin(STEEPEST - tilt))
+    first, unused = sine_cosine(STEEPEST + tilt)
+    last, unused = sine_cosine(STEEPEST - tilt)
+    start = max(zones[row + ZONE_START], y_centre - radius * first)
+    stop = min(zones[row + ZONE_STOP], y_centre + radius * last)
     if stop - start <= SLIVER:
         return 0
-    c = cos(angle)
-    s = sin(angle)
+    s, c = sine_cosine(angle)
     y_start, z_start = turned_point(zones, row, start, c, s)
     y_stop, z_stop = turned_point(zones, row, stop, c, s)
     zones[row + ZONE_START] = y_start + y_shift
@@ -238,8 +240,7 @@ def turn_polynomial(zones: 'float[:]', row: int, angle: float, y_shift: float, z
     z, at_last, bend = upright_jet(zones, row, last)
     if fabs(atan(at_first) + angle) > STEEPEST or fabs(atan(at_last) + angle) > STEEPEST:
         return 0
-    c = cos(angle)
-    s = sin(angle)
+    s, c = sine_cosine(angle)
     y_first, z = turned_point(zones, row, first, c, s)
     y_last, z = turned_point(zones, row, last, c, s)
     zones[row + ZONE_TURNED] = 1.0

@@ -9,8 +9,9 @@ Seen along the track the locus is the wheel's outline, and wheel against rail be
 plane. Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
+from ..elementary.circle import sine_cosine
 from ..layout import Pair, Place, inlined
 from .tables import height_slope
 
@@ -24,8 +25,9 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
     place.cos_yaw = 1.0
     place.yawed = False
     if yaw != 0.0:
-        place.sin_yaw = sin(yaw)
-        place.cos_yaw = cos(yaw)
+        sine, cosine = sine_cosine(yaw)
+        place.sin_yaw = sine
+        place.cos_yaw = cosine
         place.yawed = True
     place.radius = radius
     place.height = height
@@ -39,7 +41,8 @@ def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, 
 
 def turn_wheelset(place: Place, roll: float):
     """Give a placed wheelset another roll [rad]."""
-    set_roll(place, sin(roll), cos(roll))
+    sine, cosine = sine_cosine(roll)
+    set_roll(place, sine, cosine)
 
 
 def set_roll(place: Place, sin_roll: float, cos_roll: float):

@@ -10,8 +10,9 @@ wheelset has come down moves it sideways too. A place therefore holds for one ve
 sought, the reference follows it (wheelset/leaning.py).
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
+from ..elementary.circle import sine_cosine
 from ..layout import Place
 from .locus import set_roll
 
@@ -28,8 +29,7 @@ def move_rail(place: Place, lateral: float, vertical: float):
 def lean_rail(place: Place, rail_y: float, angle: float):
     """Let the rail below a placed wheel roll by ``angle`` [rad], field side down, about its highest point,
     whose nominal place is ``rail_y`` [m]; turn_leaning has to follow."""
-    sine = sin(angle)
-    cosine = cos(angle)
+    sine, cosine = sine_cosine(angle)
     across = place.shift - rail_y
     down = place.reference - place.height
     place.shift = rail_y + cosine * across + sine * down

@@ -11,7 +11,7 @@ outputs: with the velocity v of the centre and the rotation W of the wheelset, t
     P = -(F . v + M . W)
 """
 
-from math import cos, fabs, sin
+from math import fabs
 
 from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work, clear, copy
 from ..creep.friction import creep_gain
@@ -59,8 +59,8 @@ def rub_patch(motion: Motion, patch: Patch):
     """Add the creep force of a patch to its forces: longitudinal tractions act at their strips, with the
     rolling radius as their arm about the axle, all else at the centre of load."""
     forces = patch.forces
-    sine = sin(patch.contact_angle)
-    cosine = cos(patch.contact_angle)
+    sine = patch.angle_sin
+    cosine = patch.angle_cos
     x = patch.x_track
     y = patch.y_track - motion.centre_y
     z = patch.z_track - motion.centre_z

@@ -17,7 +17,7 @@ from math import sqrt
 from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import STANDSTILL, move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
-from ..creep.motion import (constrain_loaded, constrain_touching, open_left_rail, open_motion,
+from ..creep.motion import (constrain_loaded, constrain_touching, mirror_motion, open_left_rail, open_motion,
                             open_right_rail, set_contact_rates, set_rates)
 from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
                       Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
@@ -30,11 +30,11 @@ def open_given_motion(tables: Tables, work: Work):
     """The motion as the inputs give it, at the wheelset's pose."""
     left = work.sides[0].motion
     right = work.sides[1].motion
-    open_motion(tables, left, work.inputs, work.wheelset, -1.0)
-    open_motion(tables, right, work.inputs, work.wheelset, 1.0)
+    open_motion(tables, right, work.inputs, work.wheelset)
+    mirror_motion(right, left)
     open_left_rail(tables.pairs[0], left.rail, work.inputs)
     open_right_rail(tables.pairs[1], right.rail, work.inputs)
-    set_rates(left, right, work.inputs, work.inputs.vertical_velocity, work.inputs.roll_rate)
+    set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
 def move_patches(tables: Tables, work: Work):
@@ -46,7 +46,7 @@ def move_patches(tables: Tables, work: Work):
     if tables.mode != MODE_COMPLIANT:
         constrain_side(tables, work, 0)
         constrain_side(tables, work, 1)
-        set_contact_rates(work.sides[0].motion, work.sides[1].motion, work.inputs)
+        set_contact_rates(work.sides[0].motion, work.sides[1].motion)
     for index in range(2):
         side = work.sides[index]
         for number in range(side.patch_count):

@@ -3,7 +3,7 @@
 Its contact is described by where it is on wheel, rail and track, its angle, radius and curvatures.
 """
 
-from math import atan, fabs, isfinite
+from math import fabs, isfinite
 from typing import Final
 
 from ..contact.deep_points import deepest_entry, follow_overlaps, keep_points
@@ -11,6 +11,7 @@ from ..contact.frame import measure_contact, open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
 from ..creep.cut import cut_patch
+from ..elementary.circle import atan
 from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, LATERAL_ADAPTIVE, NOT_CONVERGED, OFF_PROFILE,
                       TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, Tables, Work)
 from ..normal.normal_contact import solve_normal

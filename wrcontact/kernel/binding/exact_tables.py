@@ -1,0 +1,164 @@
+"""How the tables of Hertz coefficients and of influences are made, which are stored for the kernel
+(fixed_tables.py, tools/make_fixed_tables.py).
+
+The table of Hertz coefficients (record HertzTable) comes from elliptic integrals; K and E from the
+arithmetic-geometric mean, which gives K - E and E - q^2 K without cancellation.  Witness in tests:
+scipy.special.
+
+The table of influences says how a strip of contact pressure pushes the half-space down.  A line load along x
+with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x and the distance eta beside it by a
+factor times
+
+    Phi(t, e) = integral from -1 to 1 of sqrt(1 - v^2) / sqrt((v - e)^2 + t^2) dv,   t = eta / a,  e = x / a
+
+and a strip that reaches from -T to T on average by the mean of Phi over 0 < t < T.  The table holds both,
+over sqrt(t / (1 + t)) and e^2 / (1 + e^2): parabolas along the first in even cells, joined with one slope,
+and straight lines along the second.  Witness in tests: the integral itself.
+"""
+
+import numpy as np
+
+from .. import layout
+from ..layout import HERTZ_CELLS, HERTZ_OCTAVES, INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
+
+DEGREE = 5
+#: The profile as this many straight pieces, closer together near its ends; error 1e-7.
+PIECES = 100
+#: Step of the slopes, of a cell; and where the first node, at t = 0, is taken, of a cell.
+SLOPE_STEP, FIRST = 1e-3, 0.25
+
+
+def elliptic_parts(q):
+    """K, E, (K - E) and (E - q^2 K) for the modulus sqrt(1 - q^2), 0 < q <= 1 (n,);
+    Abramowitz & Stegun 17.6."""
+    q = np.asarray(q, dtype=float)
+    a, b = np.ones_like(q), q.copy()
+    first, rest, weight = 0.5 * (1 - q) * (1 + q), np.zeros_like(q), 0.5
+    for _ in range(9):
+        a, b, c = 0.5 * (a + b), np.sqrt(a * b), 0.5 * (a - b)
+        weight *= 2
+        rest += weight * c**2
+    K = np.pi / (2 * a)
+    return K, K * (1 - first - rest), K * (first + rest), K * (first - rest)
+
+
+def axis_ratio(curvature_ratio):
+    """Short over long semi-axis for small over large relative curvature, (K - E) / (E
+    / q^2 - K) = ratio (n,)."""
+    target = np.log(np.asarray(curvature_ratio, dtype=float))
+    low, high = np.full_like(target, -20.0), np.zeros_like(target)
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        _, _, upper, lower = elliptic_parts(np.exp(middle))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = np.where(lower > 0, np.log(upper / lower) + 2 * middle, 0.0)
+        low, high = np.where(ratio < target, middle, low), np.where(ratio < target, high, middle)
+    return np.exp(0.5 * (low + high))
+
+
+def coefficients(log_ratio):
+    """(1 + alpha, n r) at ln(B/A) (n,)."""
+    log_ratio = np.asarray(log_ratio, dtype=float)
+    q = axis_ratio(np.exp(-np.abs(log_ratio)))
+    K, E, _, _ = elliptic_parts(q)
+    a_share = 1 / (1 + np.exp(log_ratio))
+    across = log_ratio < 0  # A > B: the patch is longer across
+    return np.where(across, K / E, K * q**2 / E) / a_share, 2 / np.pi * np.where(across, K, K * q)
+
+
+def basis(nodes):
+    """Coefficients of 1, t, t^2, ... of the polynomials that are 1 at one of the nodes and 0 at the
+    others (node, power)."""
+    rows = []
+    for node in nodes:
+        row = np.eye(1, len(nodes))[0]
+        for other in nodes[nodes != node]:
+            row = (np.roll(row, 1) - other * row) / (node - other)
+        rows.append(row)
+    return np.array(rows)
+
+
+def hertz_table():
+    """The table as the kernel reads it (n,): without products of matrices, whose last bits
+    depend on the processor."""
+    nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+    octaves = 2.0 ** np.arange(-HERTZ_OCTAVES, HERTZ_OCTAVES)
+    within = 1.0 + (np.arange(HERTZ_CELLS)[:, None] + nodes) / HERTZ_CELLS
+    ratios = octaves[:, None, None] * within
+    columns = [sum(value[:, None] * row for value, row in zip(values.reshape(-1, len(nodes)).T, basis(nodes)))
+               for values in coefficients(np.log(ratios.ravel()))]
+    assert 2 * (DEGREE + 1) == layout.HERTZ_ROW
+    return np.hstack(columns).ravel()
+
+
+def profile():
+    """Ends of the pieces (n + 1,) and the profile's value and slope along each, (n,), so that each piece
+    has the load of the profile."""
+    ends = np.cos(np.linspace(np.pi, 0.0, PIECES + 1))
+    angle = np.arcsin(ends)
+    load = np.diff(0.5 * (ends * np.cos(angle) + angle))
+    moment = np.diff(-np.cos(angle) ** 3 / 3.0)
+    middle, width = 0.5 * (ends[1:] + ends[:-1]), np.diff(ends)
+    slope = (moment - middle * load) * 12.0 / width**3
+    return ends, load / width - slope * middle, slope
+
+
+def influence(t, e):
+    """Phi(t, e) for t > 0 (..., n) and e (..., n)."""
+    ends, value, slope = profile()
+    w = ends - np.asarray(e, dtype=float)[..., None]
+    t = np.asarray(t, dtype=float)[..., None]
+    level, rise = np.arcsinh(w / t), np.sqrt(w * w + t * t)
+    at = value + slope * np.asarray(e, dtype=float)[..., None]
+    return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1)
+
+
+def mean_influence(t, e):
+    """The mean of Phi over 0 ... t at e."""
+    ends, value, slope = profile()
+    w = ends - np.asarray(e, dtype=float)[..., None]
+    w = np.where(w == 0.0, 1e-30, w)
+    t = np.asarray(t, dtype=float)[..., None]
+    beside, along = np.arcsinh(t / np.abs(w)), np.arcsinh(w / t)
+    level = w * beside + t * along
+    rise = 0.5 * (w * w * beside + t * np.sqrt(w * w + t * t))
+    at = value + slope * np.asarray(e, dtype=float)[..., None]
+    return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1) / t[..., 0]
+
+
+def map_of(function):
+    """Parabolas a + b x + c x^2, 0 <= x <= 1, of a function of t and e in the cells (n,), column by
+    column.
+
+    Two cells lie between nodes, where the parabolas have the function's value and slope.
+    """
+    nodes = INFLUENCE_CELLS // 2
+    u = np.arange(nodes + 1) / nodes
+    u[0], u[-1] = FIRST / nodes, 1.0 - 1e-6
+    column = np.arange(INFLUENCE_COLUMNS) / INFLUENCE_COLUMNS
+    step = SLOPE_STEP / nodes
+
+    def along(u):
+        u = np.minimum(u, 1.0 - 1e-6)
+        t = u * u / (1.0 - u * u)
+        return function(*np.broadcast_arrays(t[None, :], np.sqrt(column / (1.0 - column))[:, None]))
+
+    value, before, after = along(u), along(u - step), along(u + step)
+    slope = (after - before) / (4.0 * SLOPE_STEP)           # of a cell
+    value[:, -1] = 0.0
+    slope[:, -1] = (value[:, -1] - before[:, -1]) / (2.0 * SLOPE_STEP)
+    low, high, rise, fall = value[:, :-1], value[:, 1:], slope[:, :-1], slope[:, 1:]
+    middle = 0.5 * (low + high) + 0.25 * (rise - fall)
+    steep = (high - low) - 0.5 * (rise + fall)
+    parabolas = np.zeros((INFLUENCE_COLUMNS + 1, nodes, 2, 3))         # infinitely far along x: none
+    parabolas[:-1, :, 0] = np.stack([low, rise, 0.5 * (steep - rise)], axis=-1)
+    parabolas[:-1, :, 1] = np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1)
+    return parabolas.ravel()
+
+
+def influence_table():
+    """The table as the kernel reads it (n,): the map of Phi, then that of its means."""
+    table = np.concatenate([map_of(influence), map_of(mean_influence)])
+    if len(table) != 2 * INFLUENCE_MAP:
+        raise TypeError(f"the table of influences has {len(table)} numbers, its record {2 * INFLUENCE_MAP}")
+    return table
