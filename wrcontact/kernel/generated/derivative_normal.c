@@ -1333,6 +1333,287 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
 }
 
 
+/* ---- From derivative_hertz_contact.py; change that one.
+ *
+ * Derivatives of hertz_contact.py.
+ */
+
+/* Derivative of ``hertz_contact``. */
+static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+{
+    int64_t point;
+    double A_t;
+    double A;
+    double v1;
+    double v2;
+    double v2_t;
+    double B_t;
+    double B;
+    double half_length;
+    double half_length_t;
+    double half_width;
+    double half_width_t;
+    double stiffness;
+    double stiffness_t;
+    double v3;
+    double v3_t;
+    double widest_t;
+    double widest;
+    double v4;
+    double v4_t;
+    double v5;
+    double v6;
+    double load_t;
+    double load;
+    double v7;
+    double v8;
+    int64_t n9;
+    int64_t patch;
+    double v10;
+    double v11;
+    double v12;
+    double pressure_t;
+    double pressure;
+    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    v2 = coefficients__FLOOR * A;
+    v2_t = coefficients__FLOOR * A_t;
+    if (v1 > v2)
+    {
+        v2 = v1;
+        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    }
+    B_t = v2_t;
+    B = v2;
+    derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+    derivative_hertz_contact__widest_ellipse_t(&v3, &v3_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    widest_t = v3_t;
+    widest = v3;
+    if (half_width > widest)
+    {
+        derivative_hertz_contact__narrow_ellipse_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
+        B_t = v4_t;
+        B = v4;
+        derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+    }
+    v5 = stiffness * (*penetration);
+    v6 = sqrt((*penetration));
+    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v6 + v5 * derivative_rates__root_rate(v6, (*penetration_t));
+    load = v5 * v6;
+    v7 = 1.5 * stiffness;
+    v8 = sqrt((*penetration));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v7 * v8;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    derivative_filling__clear_patches_t(work, work_t, side);
+    n9 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n9;
+    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
+    v10 = M_PI * half_length;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v10 * half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v10 * half_width;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    v11 = 1.5 * load;
+    v12 = v11 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure_t = (1.5 * load_t - v12 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v12;
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    derivative_filling__finish_patch_t(work, work_t, side);
+    derivative_filling__finish_patches_t(work, work_t, side);
+    (*result_2) = INT64_C(1);
+    (*result_3) = 1;
+    return 0;
+}
+
+/* Derivative of ``press_ellipse``. */
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
+{
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v1;
+    double v1_t;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v9;
+    double v10;
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    (*stiffness_t) = v1_t;
+    (*stiffness) = v1;
+    (*penetration_t) = prescribed_t;
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        v2 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
+        v3 = force / v2;
+        v4 = 2.0 / 3.0;
+        v5 = pow(v3, v4);
+        (*penetration_t) = derivative_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v2);
+        (*penetration) = v5;
+    }
+    v6 = one_alpha * A;
+    v7 = (*penetration) / v6;
+    (*v8) = sqrt(v7);
+    v9 = one_beta * B;
+    v10 = (*penetration) / v9;
+    (*v11) = sqrt(v10);
+    (*result_1) = derivative_rates__root_rate((*v8), ((*penetration_t) - v7 * (one_alpha_t * A + one_alpha * A_t)) / v6);
+    (*result_3) = derivative_rates__root_rate((*v11), ((*penetration_t) - v10 * (one_beta_t * B + one_beta * B_t)) / v9);
+    return 0;
+}
+
+/* Derivative of ``widest_ellipse``. */
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
+{
+    int64_t rail;
+    int64_t wheel;
+    double v1;
+    double v2;
+    double v2_t;
+    double low_t;
+    double low;
+    double v3;
+    double v4;
+    double v4_t;
+    double high_t;
+    double high;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
+    double widest_t;
+    double widest;
+    double v8;
+    double v9;
+    double v9_t;
+    double v10;
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+    v2 = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    v2_t = 0.0;
+    if (v1 > v2)
+    {
+        v2 = v1;
+        v2_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+    }
+    low_t = v2_t;
+    low = v2;
+    v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    v4 = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
+    v4_t = 0.0;
+    if (v3 < v4)
+    {
+        v4 = v3;
+        v4_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (-(*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    }
+    high_t = v4_t;
+    high = v4;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        derivative_curves__rail_length_t(&v5, &v5_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__rail_length_t(&v6, &v6_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
+        v7 = v5;
+        v7_t = v5_t;
+        if (v6 < v7)
+        {
+            v7 = v6;
+            v7_t = v6_t;
+        }
+        widest_t = v7_t;
+        widest = v7;
+    }
+    else
+    {
+        v8 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
+        v9 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
+        v9_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
+        if (v8 < v9)
+        {
+            v9 = v8;
+            v9_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
+        }
+        v10 = v9 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest_t = (v9_t - v10 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest = v10;
+    }
+    (*v11) = widest;
+    (*v11_t) = widest_t;
+    if (hertz_contact__NARROWEST > (*v11))
+    {
+        (*v11) = hertz_contact__NARROWEST;
+        (*v11_t) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``narrow_ellipse``. */
+static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t)
+{
+    int64_t narrowing;
+    double half_length;
+    double half_length_t;
+    double half_width;
+    double half_width_t;
+    double stiffness;
+    double stiffness_t;
+    double penetration;
+    double penetration_t;
+    double v1;
+    double share_t;
+    double share;
+    double v2;
+    double v3;
+    double v4;
+    double v4_t;
+    for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
+    {
+        derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, region, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+        v1 = half_width / widest;
+        share_t = (half_width_t - v1 * widest_t) / widest;
+        share = v1;
+        v2 = B * share;
+        v3 = hertz_contact__SHARPEST * A;
+        v4 = v2 * share;
+        v4_t = (B_t * share + B * share_t) * share + v2 * share_t;
+        if (v3 < v4)
+        {
+            v4 = v3;
+            v4_t = hertz_contact__SHARPEST * A_t;
+        }
+        B_t = v4_t;
+        B = v4;
+    }
+    (*result_0) = B;
+    (*result_1) = B_t;
+    return 0;
+}
+
+
 /* ---- From derivative_node_patches.py; change that one.
  *
  * Derivatives of node_patches.py.
@@ -2286,135 +2567,6 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
  * Derivatives of normal_contact.py.
  */
 
-/* Derivative of ``hertz_contact``. */
-static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
-{
-    int64_t point;
-    int64_t table;
-    double A_t;
-    double A;
-    double v1;
-    double v2;
-    double v2_t;
-    double B_t;
-    double B;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double v3;
-    double v3_t;
-    double stiffness_t;
-    double stiffness;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double load_t;
-    double load;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    double half_length_t;
-    double half_length;
-    double v15;
-    double v16;
-    double v17;
-    double half_width_t;
-    double half_width;
-    int64_t n18;
-    int64_t patch;
-    double v19;
-    double v20;
-    double v21;
-    double pressure_t;
-    double pressure;
-    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    v2 = coefficients__FLOOR * A;
-    v2_t = coefficients__FLOOR * A_t;
-    if (v1 > v2)
-    {
-        v2 = v1;
-        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
-    }
-    B_t = v2_t;
-    B = v2;
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v3, &v3_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v3_t;
-    stiffness = v3;
-    (*penetration_t) = prescribed_t;
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
-        v5 = force / v4;
-        v6 = 2.0 / 3.0;
-        v7 = pow(v5, v6);
-        (*penetration_t) = derivative_rates__power_rate(v7, v5, v6, (force_t - v5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v4);
-        (*penetration) = v7;
-    }
-    v8 = stiffness * (*penetration);
-    v9 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v9 + v8 * derivative_rates__root_rate(v9, (*penetration_t));
-    load = v8 * v9;
-    v10 = 1.5 * stiffness;
-    v11 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v11 + v10 * derivative_rates__root_rate(v11, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v10 * v11;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    v12 = one_alpha * A;
-    v13 = (*penetration) / v12;
-    v14 = sqrt(v13);
-    half_length_t = derivative_rates__root_rate(v14, ((*penetration_t) - v13 * (one_alpha_t * A + one_alpha * A_t)) / v12);
-    half_length = v14;
-    v15 = one_beta * B;
-    v16 = (*penetration) / v15;
-    v17 = sqrt(v16);
-    half_width_t = derivative_rates__root_rate(v17, ((*penetration_t) - v16 * (one_beta_t * B + one_beta * B_t)) / v15);
-    half_width = v17;
-    derivative_filling__clear_patches_t(work, work_t, side);
-    n18 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n18;
-    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
-    v19 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v19 * half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v19 * half_width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v20 = 1.5 * load;
-    v21 = v20 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v21 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v21;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    derivative_filling__finish_patch_t(work, work_t, side);
-    derivative_filling__finish_patches_t(work, work_t, side);
-    (*result_2) = INT64_C(1);
-    (*result_3) = 1;
-    return 0;
-}
-
 /* Derivative of ``solve_normal``. */
 static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
@@ -2422,7 +2574,7 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        derivative_normal_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+        derivative_hertz_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (model == layout__MODEL_ANALYN)
     {

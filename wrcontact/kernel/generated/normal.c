@@ -39,6 +39,12 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
 static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
+/* normal/hertz_contact.py */
+static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed);
+static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
+static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing);
@@ -69,7 +75,6 @@ static inline int64_t nodes__prepare_regions(array_double_1d tables, array_doubl
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
@@ -1085,6 +1090,137 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
 }
 
 
+/* ---- From normal/hertz_contact.py; change that one.
+ *
+ * Hertz's contact of one side: one elliptic patch in closed form, with the curvatures at the contact point.
+ *
+ * The ellipse is no wider than wheel and rail.  Where the surfaces are nearly parallel, as in the flange root,
+ * that of the contact point's curvatures would reach beyond the profiles: 120 mm under 90 kN.  There the lateral
+ * curvature is the one whose ellipse ends where the first of both profiles does; penetration, load and pressure
+ * are those of this ellipse.
+ */
+
+/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
+ * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
+ *
+ * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+ */
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+{
+    int64_t point;
+    double A;
+    double B;
+    double half_length;
+    double half_width;
+    double stiffness;
+    double widest;
+    double load;
+    int64_t patch;
+    double pressure;
+    frame__locate_along_track(tables, work, pair, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
+    hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+    widest = hertz_contact__widest_ellipse(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    if (half_width > widest)
+    {
+        B = hertz_contact__narrow_ellipse(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed, widest);
+        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+    }
+    load = stiffness * (*penetration) * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    filling__clear_patches(work, side);
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    filling__add_load(work, patch, INT64_C(0), load, 0.0);
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    filling__finish_patch(work, side);
+    filling__finish_patches(work, side);
+    (*result_1) = INT64_C(1);
+    (*result_2) = 1;
+    return 0;
+}
+
+/* Half-length and half-width [m], N / penetration^(3/2) [N/m^1.5] and penetration [m] of the ellipse for
+ * the separation A x^2 + B s^2 under ``force`` [N], as far as it counts in the region, or at the
+ * ``prescribed`` penetration [m] if that is a number.
+ */
+static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed)
+{
+    double one_alpha;
+    double one_beta;
+    double nr;
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+    (*stiffness) = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        (*penetration) = pow((force / ((*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness))), (2.0 / 3.0));
+    }
+    (*result_0) = sqrt((*penetration) / (one_alpha * A));
+    (*result_1) = sqrt((*penetration) / (one_beta * B));
+    return 0;
+}
+
+/* Distance [m] of the contact point from where the first profile ends to either side, the smaller one, in
+ * stations of the patch: along the rail of a pressed wheel, else in the contact plane.
+ *
+ * Below a patch both abscissae run alike (patch_places.py).
+ */
+static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
+{
+    int64_t rail;
+    int64_t wheel;
+    double low;
+    double high;
+    double widest;
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    low = double_max(2, (*cspan_at(&tables, rail + layout__PROFILE_START)), (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START))));
+    high = double_min(2, (*cspan_at(&tables, rail + layout__PROFILE_STOP)), (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL))));
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        widest = double_min(2, curves__rail_length(tables, pair, low, (*cspan_at(&work, region + layout__REGION_RAIL))), curves__rail_length(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), high));
+    }
+    else
+    {
+        widest = double_min(2, (*cspan_at(&work, region + layout__REGION_RAIL)) - low, high - (*cspan_at(&work, region + layout__REGION_RAIL))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    }
+    return double_max(2, widest, hertz_contact__NARROWEST);
+}
+
+/* The lateral curvature [1/m] whose ellipse is ``widest`` [m] to either side, if it is not sharper than
+ * SHARPEST A; the arguments are those of :func:`press_ellipse`.
+ *
+ * The square of the half-width is nearly as 1/B: its logarithm falls by 0.8 ... 1.2 where that of B rises
+ * by 1, also under a force.
+ */
+static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest)
+{
+    int64_t narrowing;
+    double half_length;
+    double half_width;
+    double stiffness;
+    double penetration;
+    double share;
+    for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
+    {
+        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, &penetration, work, tables, region, A, B, force, prescribed);
+        share = half_width / widest;
+        B = double_min(2, B * share * share, hertz_contact__SHARPEST * A);
+    }
+    return B;
+}
+
+
 /* ---- From normal/node_patches.py; change that one.
  *
  * From ANALYN's regions to patches: every node becomes a strip, every run of loaded cells a patch.
@@ -1822,64 +1958,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a branch here; see
  * ``NormalModel`` in wrcontact/methods/normal.py for its duties.
- *
- * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
-
-/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
- * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
- *
- * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
- */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
-{
-    int64_t point;
-    int64_t table;
-    double A;
-    double B;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double stiffness;
-    double load;
-    double half_length;
-    double half_width;
-    int64_t patch;
-    double pressure;
-    frame__locate_along_track(tables, work, pair, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
-    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        (*penetration) = pow((force / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
-    }
-    load = stiffness * (*penetration) * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    half_length = sqrt((*penetration) / (one_alpha * A));
-    half_width = sqrt((*penetration) / (one_beta * B));
-    filling__clear_patches(work, side);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    filling__add_load(work, patch, INT64_C(0), load, 0.0);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    filling__finish_patch(work, side);
-    filling__finish_patches(work, side);
-    (*result_1) = INT64_C(1);
-    (*result_2) = 1;
-    return 0;
-}
 
 /* Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
  * [m] if that is a number.
@@ -1892,7 +1971,7 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        normal_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
+        hertz_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
