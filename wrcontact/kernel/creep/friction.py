@@ -88,10 +88,13 @@ def is_frictional(friction: float, limit: float) -> bool:
 
 
 def keep_dissipating(patch: Patch):
-    """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.  A
-    model that takes the patch for one ellipse has no moment, which is a part of this power."""
+    """Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.
+
+    Polach's formula has no moment of its own, but a lateral force of spin, which is a gain of power where
+    lateral creepage has its direction.
+    """
     gain = creep_gain(patch)
-    if gain > 0.0 and patch.spin != 0.0 and patch.creep_moment != 0.0:
+    if gain > 0.0 and patch.spin != 0.0:
         reach = max(patch.half_length, patch.half_width)
         most = patch.friction * patch.totals.load * reach
         moment = max(min(patch.creep_moment - gain / patch.spin, most), -most)

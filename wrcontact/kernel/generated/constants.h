@@ -1165,6 +1165,11 @@ static const double estimate__TYPICAL_RATIO = 2.0;
 static const double estimate__CEILING = 1000.0;
 static const double estimate__LEAST_SHARE = 0.1;
 
+/* normal/hertz_contact.py */
+static const double hertz_contact__SHARPEST = 1000.0;
+static const double hertz_contact__NARROWEST = 1e-06;
+static const int64_t hertz_contact__NARROWINGS = INT64_C(30);
+
 /* normal/node_patches.py */
 static const double node_patches__JOINED = 1e-09;
 

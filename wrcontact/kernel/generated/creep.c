@@ -1533,8 +1533,10 @@ static inline bool friction__is_frictional(double friction, double limit)
     return (friction >= 0.0) && (friction <= limit);
 }
 
-/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.  A
- * model that takes the patch for one ellipse has no moment, which is a part of this power.
+/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.
+ *
+ * Polach's formula has no moment of its own, but a lateral force of spin, which is a gain of power where
+ * lateral creepage has its direction.
  */
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch)
 {
@@ -1543,7 +1545,7 @@ static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t p
     double most;
     double moment;
     gain = friction__creep_gain(work, patch);
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
     {
         reach = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)), (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
         most = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * reach;

@@ -2475,7 +2475,7 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
     gain_t = v1_t;
     gain = v1;
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
     {
         v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));

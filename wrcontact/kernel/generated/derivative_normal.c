@@ -564,77 +564,43 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
  */
 
 /* Derivative of ``table_value``. */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t)
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
 {
     double v1;
-    double v1_t;
-    double v2;
-    double v2_t;
-    int64_t octave;
-    double v3;
-    double v4;
-    double v5;
-    double place_t;
-    double place;
     int64_t cell;
-    double u_t;
     double u;
+    double u_t;
     int64_t at;
-    double v6;
+    double v2;
     double high_t;
     double high;
-    double v7;
-    double v8;
-    v1 = coefficients__LEAST_RATIO;
-    v1_t = 0.0;
-    if (ratio > v1)
-    {
-        v1 = ratio;
-        v1_t = ratio_t;
-    }
-    v2 = v1;
-    v2_t = v1_t;
-    if (coefficients__MOST_RATIO < v2)
-    {
-        v2 = coefficients__MOST_RATIO;
-        v2_t = 0.0;
-    }
-    ratio_t = v2_t;
-    ratio = v2;
-    octave = binary__exponent(ratio);
-    v3 = (double)(layout__HERTZ_CELLS);
-    v4 = binary__power_of_two(-octave);
-    v5 = ratio * v4 - 1.0;
-    place_t = v3 * (ratio_t * v4);
-    place = v3 * v5;
-    cell = (int64_t)(place);
-    u_t = place_t;
-    u = place - (double)(cell);
-    at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
-    v6 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
-    high_t = u_t * v6 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
-    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v6;
-    v7 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
-    v8 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v7;
-    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v8;
-    (*result_1) = u_t * v8 + u * (u_t * v7 + u * (u_t * high + u * high_t));
+    double v3;
+    double v4;
+    v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
+    derivative_tables__table_cell_t(&cell, &u, &u_t, v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)), 0.0);
+    at = layout__HERTZ_ROW * cell + column;
+    v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
+    high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v2;
+    v3 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
+    v4 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v3;
+    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v4;
+    (*result_1) = u_t * v4 + u * (u_t * v3 + u * (u_t * high + u * high_t));
     return 0;
 }
 
 /* Derivative of ``hertz_coefficients``. */
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
 {
     double v1;
     double ratio_t;
     double ratio;
-    double v4;
     v1 = B / A;
-    ratio_t = (B_t - v1 * A_t) / A;
-    ratio = v1;
+    ratio_t = (B_t - v1 * A_t) / A / v1;
+    ratio = log(v1);
     derivative_coefficients__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
-    v4 = A / B;
-    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, (A_t - v4 * B_t) / B);
-    derivative_coefficients__table_value_t(v5, v5_t, tables, table, INT64_C(6), ratio, ratio_t);
+    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), -ratio, -ratio_t);
+    derivative_coefficients__table_value_t(v4, v4_t, tables, table, INT64_C(6), ratio, ratio_t);
     return 0;
 }
 
@@ -1153,15 +1119,15 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v6 = secant / A;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, (secant_t - v6 * A_t) / A);
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (secant_t - v6 * A_t) / A / v6);
         alpha_t = v5_t;
         alpha = v5;
         v8 = A / side;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, (A_t - v8 * side_t) / side);
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), log(v8), (A_t - v8 * side_t) / side / v8);
         beta_t = v7_t;
         beta = v7;
         v10 = B / A;
-        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, (B_t - v10 * A_t) / A);
+        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), log(v10), (B_t - v10 * A_t) / A / v10);
         nr_t = v9_t;
         nr = v9;
         if (yawed)
@@ -1238,28 +1204,33 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double
  */
 
 /* Derivative of ``guess_penetration``. */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
 {
     double v1;
     double v2;
     double share_t;
     double share;
+    double v3;
     double v4;
     double v5;
     double v6;
+    double v7;
     v1 = 0.75 * force;
     v2 = v1 / contact_modulus;
     share_t = (0.75 * force_t - v2 * contact_modulus_t) / contact_modulus;
     share = v2;
-    v4 = share * share;
-    v5 = 1.0 + estimate__TYPICAL_RATIO;
-    v6 = v4 * v5;
-    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, (share_t * share + share * share_t) * v5 * A + v6 * A_t);
+    v3 = share * share;
+    v4 = 1.0 + estimate__TYPICAL_RATIO;
+    v5 = v3 * v4;
+    v6 = v5 * A;
+    v7 = 1.0 / 3.0;
+    (*v8) = pow(v6, v7);
+    (*result_1) = derivative_rates__power_rate((*v8), v6, v7, (share_t * share + share * share_t) * v4 * A + v5 * A_t);
     return 0;
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     double A_t;
     double A;
@@ -1284,11 +1255,8 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* result
     double v5_t;
     double stiffness_t;
     double stiffness;
-    double v7;
     double v6;
-    double v6_t;
-    double root_t;
-    double root;
+    double v7;
     A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
@@ -1316,12 +1284,10 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* result
     derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
-    v7 = force / stiffness;
-    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, (force_t - v7 * stiffness_t) / stiffness);
-    root_t = v6_t;
-    root = v6;
-    (*result_0) = root * root;
-    (*result_1) = root_t * root + root * root_t;
+    v6 = force / stiffness;
+    v7 = 2.0 / 3.0;
+    (*v8) = pow(v6, v7);
+    (*result_1) = derivative_rates__power_rate((*v8), v6, v7, (force_t - v6 * stiffness_t) / stiffness);
     return 0;
 }
 
@@ -1367,6 +1333,287 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
 }
 
 
+/* ---- From derivative_hertz_contact.py; change that one.
+ *
+ * Derivatives of hertz_contact.py.
+ */
+
+/* Derivative of ``hertz_contact``. */
+static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+{
+    int64_t point;
+    double A_t;
+    double A;
+    double v1;
+    double v2;
+    double v2_t;
+    double B_t;
+    double B;
+    double half_length;
+    double half_length_t;
+    double half_width;
+    double half_width_t;
+    double stiffness;
+    double stiffness_t;
+    double v3;
+    double v3_t;
+    double widest_t;
+    double widest;
+    double v4;
+    double v4_t;
+    double v5;
+    double v6;
+    double load_t;
+    double load;
+    double v7;
+    double v8;
+    int64_t n9;
+    int64_t patch;
+    double v10;
+    double v11;
+    double v12;
+    double pressure_t;
+    double pressure;
+    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    v2 = coefficients__FLOOR * A;
+    v2_t = coefficients__FLOOR * A_t;
+    if (v1 > v2)
+    {
+        v2 = v1;
+        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    }
+    B_t = v2_t;
+    B = v2;
+    derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+    derivative_hertz_contact__widest_ellipse_t(&v3, &v3_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    widest_t = v3_t;
+    widest = v3;
+    if (half_width > widest)
+    {
+        derivative_hertz_contact__narrow_ellipse_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
+        B_t = v4_t;
+        B = v4;
+        derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+    }
+    v5 = stiffness * (*penetration);
+    v6 = sqrt((*penetration));
+    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v6 + v5 * derivative_rates__root_rate(v6, (*penetration_t));
+    load = v5 * v6;
+    v7 = 1.5 * stiffness;
+    v8 = sqrt((*penetration));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v7 * v8;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    derivative_filling__clear_patches_t(work, work_t, side);
+    n9 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n9;
+    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
+    v10 = M_PI * half_length;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v10 * half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v10 * half_width;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    v11 = 1.5 * load;
+    v12 = v11 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure_t = (1.5 * load_t - v12 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v12;
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    derivative_filling__finish_patch_t(work, work_t, side);
+    derivative_filling__finish_patches_t(work, work_t, side);
+    (*result_2) = INT64_C(1);
+    (*result_3) = 1;
+    return 0;
+}
+
+/* Derivative of ``press_ellipse``. */
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
+{
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v1;
+    double v1_t;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v9;
+    double v10;
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    (*stiffness_t) = v1_t;
+    (*stiffness) = v1;
+    (*penetration_t) = prescribed_t;
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        v2 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
+        v3 = force / v2;
+        v4 = 2.0 / 3.0;
+        v5 = pow(v3, v4);
+        (*penetration_t) = derivative_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v2);
+        (*penetration) = v5;
+    }
+    v6 = one_alpha * A;
+    v7 = (*penetration) / v6;
+    (*v8) = sqrt(v7);
+    v9 = one_beta * B;
+    v10 = (*penetration) / v9;
+    (*v11) = sqrt(v10);
+    (*result_1) = derivative_rates__root_rate((*v8), ((*penetration_t) - v7 * (one_alpha_t * A + one_alpha * A_t)) / v6);
+    (*result_3) = derivative_rates__root_rate((*v11), ((*penetration_t) - v10 * (one_beta_t * B + one_beta * B_t)) / v9);
+    return 0;
+}
+
+/* Derivative of ``widest_ellipse``. */
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
+{
+    int64_t rail;
+    int64_t wheel;
+    double v1;
+    double v2;
+    double v2_t;
+    double low_t;
+    double low;
+    double v3;
+    double v4;
+    double v4_t;
+    double high_t;
+    double high;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
+    double widest_t;
+    double widest;
+    double v8;
+    double v9;
+    double v9_t;
+    double v10;
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+    v2 = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    v2_t = 0.0;
+    if (v1 > v2)
+    {
+        v2 = v1;
+        v2_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+    }
+    low_t = v2_t;
+    low = v2;
+    v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    v4 = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
+    v4_t = 0.0;
+    if (v3 < v4)
+    {
+        v4 = v3;
+        v4_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (-(*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    }
+    high_t = v4_t;
+    high = v4;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        derivative_curves__rail_length_t(&v5, &v5_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__rail_length_t(&v6, &v6_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
+        v7 = v5;
+        v7_t = v5_t;
+        if (v6 < v7)
+        {
+            v7 = v6;
+            v7_t = v6_t;
+        }
+        widest_t = v7_t;
+        widest = v7;
+    }
+    else
+    {
+        v8 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
+        v9 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
+        v9_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
+        if (v8 < v9)
+        {
+            v9 = v8;
+            v9_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
+        }
+        v10 = v9 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest_t = (v9_t - v10 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest = v10;
+    }
+    (*v11) = widest;
+    (*v11_t) = widest_t;
+    if (hertz_contact__NARROWEST > (*v11))
+    {
+        (*v11) = hertz_contact__NARROWEST;
+        (*v11_t) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``narrow_ellipse``. */
+static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t)
+{
+    int64_t narrowing;
+    double half_length;
+    double half_length_t;
+    double half_width;
+    double half_width_t;
+    double stiffness;
+    double stiffness_t;
+    double penetration;
+    double penetration_t;
+    double v1;
+    double share_t;
+    double share;
+    double v2;
+    double v3;
+    double v4;
+    double v4_t;
+    for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
+    {
+        derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, region, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
+        v1 = half_width / widest;
+        share_t = (half_width_t - v1 * widest_t) / widest;
+        share = v1;
+        v2 = B * share;
+        v3 = hertz_contact__SHARPEST * A;
+        v4 = v2 * share;
+        v4_t = (B_t * share + B * share_t) * share + v2 * share_t;
+        if (v3 < v4)
+        {
+            v4 = v3;
+            v4_t = hertz_contact__SHARPEST * A_t;
+        }
+        B_t = v4_t;
+        B = v4;
+    }
+    (*result_0) = B;
+    (*result_1) = B_t;
+    return 0;
+}
+
+
 /* ---- From derivative_node_patches.py; change that one.
  *
  * Derivatives of node_patches.py.
@@ -1378,6 +1625,8 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
     int64_t strips;
     int64_t index;
     int64_t region;
+    double angle_t;
+    double angle;
     int64_t k_end;
     int64_t k;
     derivative_filling__clear_patches_t(work, work_t, side);
@@ -1395,10 +1644,12 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             derivative_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
+            angle_t = -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION))));
+            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                derivative_node_patches__add_cell_t(work, work_t, side, index, k);
+                derivative_node_patches__add_cell_t(work, work_t, side, index, k, angle, angle_t);
             }
         }
     }
@@ -1488,7 +1739,7 @@ static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d wor
 }
 
 /* Derivative of ``add_cell``. */
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k)
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k, double contact_angle, double contact_angle_t)
 {
     int64_t region;
     int64_t nodes;
@@ -1563,7 +1814,7 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
             end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k);
+        n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k, contact_angle, contact_angle_t);
         index = n2;
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
@@ -1614,7 +1865,7 @@ static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d w
 }
 
 /* Derivative of ``patch_from``. */
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip)
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip, double contact_angle, double contact_angle_t)
 {
     bool joined;
     int64_t last;
@@ -1633,7 +1884,7 @@ static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work
     if (!joined)
     {
         derivative_filling__finish_patch_t(work, work_t, side);
-        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, strip, layout__RULE_QUADRATIC);
+        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, strip, layout__RULE_QUADRATIC, contact_angle, contact_angle_t);
         index = n1;
     }
     return index;
@@ -2172,7 +2423,7 @@ static inline int64_t derivative_nodes__zone_share_t(double* share, double* shar
     side_t = v2_t;
     side = v2;
     v4 = A / side;
-    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, (A_t - v4 * side_t) / side);
+    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v4), (A_t - v4 * side_t) / side / v4);
     v5 = nodes__SPREAD / v3;
     (*share_t) = (-v5) * v3_t / v3;
     (*share) = v5;
@@ -2316,138 +2567,6 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
  * Derivatives of normal_contact.py.
  */
 
-/* Derivative of ``hertz_contact``. */
-static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
-{
-    int64_t point;
-    int64_t table;
-    double A_t;
-    double A;
-    double v1;
-    double v2;
-    double v2_t;
-    double B_t;
-    double B;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double v3;
-    double v3_t;
-    double stiffness_t;
-    double stiffness;
-    double v5;
-    double v6;
-    double v4;
-    double v4_t;
-    double root_t;
-    double root;
-    double v7;
-    double v8;
-    double load_t;
-    double load;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double half_length_t;
-    double half_length;
-    double v14;
-    double v15;
-    double v16;
-    double half_width_t;
-    double half_width;
-    int64_t n17;
-    int64_t patch;
-    double v18;
-    double v19;
-    double v20;
-    double pressure_t;
-    double pressure;
-    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    v2 = coefficients__FLOOR * A;
-    v2_t = coefficients__FLOOR * A_t;
-    if (v1 > v2)
-    {
-        v2 = v1;
-        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
-    }
-    B_t = v2_t;
-    B = v2;
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v3, &v3_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v3_t;
-    stiffness = v3;
-    (*penetration_t) = prescribed_t;
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        v5 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness;
-        v6 = force / v5;
-        derivative_powers__cube_root_rule_t(&v4, &v4_t, v6, (force_t - v6 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v5);
-        root_t = v4_t;
-        root = v4;
-        (*penetration_t) = root_t * root + root * root_t;
-        (*penetration) = root * root;
-    }
-    v7 = stiffness * (*penetration);
-    v8 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
-    load = v7 * v8;
-    v9 = 1.5 * stiffness;
-    v10 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v10 + v9 * derivative_rates__root_rate(v10, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v9 * v10;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    v11 = one_alpha * A;
-    v12 = (*penetration) / v11;
-    v13 = sqrt(v12);
-    half_length_t = derivative_rates__root_rate(v13, ((*penetration_t) - v12 * (one_alpha_t * A + one_alpha * A_t)) / v11);
-    half_length = v13;
-    v14 = one_beta * B;
-    v15 = (*penetration) / v14;
-    v16 = sqrt(v15);
-    half_width_t = derivative_rates__root_rate(v16, ((*penetration_t) - v15 * (one_beta_t * B + one_beta * B_t)) / v14);
-    half_width = v16;
-    derivative_filling__clear_patches_t(work, work_t, side);
-    n17 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n17;
-    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
-    v18 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v18 * half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v18 * half_width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v19 = 1.5 * load;
-    v20 = v19 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v20 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v20;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    derivative_filling__finish_patch_t(work, work_t, side);
-    derivative_filling__finish_patches_t(work, work_t, side);
-    (*result_2) = INT64_C(1);
-    (*result_3) = 1;
-    return 0;
-}
-
 /* Derivative of ``solve_normal``. */
 static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
@@ -2455,7 +2574,7 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        derivative_normal_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+        derivative_hertz_contact__hertz_contact_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (model == layout__MODEL_ANALYN)
     {
@@ -2782,14 +2901,6 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
-    double slope_t;
-    double slope;
-    double v7;
-    double v7_t;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
     load_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
@@ -2808,19 +2919,8 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = v4;
         v5 = -(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
         v6 = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / v5;
-        slope_t = ((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5;
-        slope = v6;
-        derivative_circle__atan_rule_t(&v7, &v7_t, slope, slope_t);
-        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -v7_t;
-        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -v7;
-        v8 = 1.0 + slope * slope;
-        v9 = sqrt(v8);
-        v10 = 1.0 / v9;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) = (-v10) * derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) / v9;
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = v10;
-        v11 = -slope;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) = (-slope_t) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = v11 * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -(((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5 / (1.0 + v6 * v6));
+        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -atan(v6);
     }
     return INT64_C(0);
 }
@@ -4286,7 +4386,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     stop_t = v2_t;
     stop = v2;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT);
+    n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))), -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION)))));
     index = n3;
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
@@ -5898,11 +5998,11 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
         lean_t = 0.0;
         lean = 0.0;
         v6 = A / low;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v6), (A_t - v6 * low_t) / low / v6);
         low_beta_t = v5_t;
         low_beta = v5;
         v8 = A / high;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v8), (A_t - v8 * high_t) / high / v8);
         high_beta_t = v7_t;
         high_beta = v7;
         if (frame__is_yawed(work))

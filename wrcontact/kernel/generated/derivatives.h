@@ -177,6 +177,12 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
 static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 
+/* derivative_hertz_contact.py */
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region);
+static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t);
+static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
+
 /* derivative_leaning.py */
 static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_double_1d work_t, double height, double height_t);
 
@@ -245,7 +251,6 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
 static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double enlarge, double enlarge_t);
 
 /* derivative_normal_contact.py */
-static inline int64_t derivative_normal_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
 /* derivative_outline.py */

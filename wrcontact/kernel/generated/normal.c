@@ -21,7 +21,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
 /* normal/coefficients.py */
-static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio);
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
@@ -39,14 +39,20 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
 static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
+/* normal/hertz_contact.py */
+static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed);
+static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
+static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing);
-static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip);
+static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip, double contact_angle);
 static inline int64_t node_patches__add_part(double* load, double* moment, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
 static inline double node_patches__peak_square(double before, double square, double after);
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k);
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k, double contact_angle);
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
 
 /* normal/nodes.py */
@@ -69,7 +75,6 @@ static inline int64_t nodes__prepare_regions(array_double_1d tables, array_doubl
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 
@@ -445,15 +450,13 @@ static inline double analyn__penetration_move(double force, double total, double
 {
     double following;
     double newton;
-    double root;
     following = 0.5 * (low + high);
     if (slope > 0.0)
     {
         newton = penetration + (force - total - rest) / slope;
         if ((fabs(force - total) > analyn__NEARLY * force) && (total > 0.0))
         {
-            root = powers__cube_root(force / total);
-            newton = penetration + (1.5 * total * (root * root - 1.0) - rest) / slope;
+            newton = penetration + (1.5 * total * (pow((force / total), (2.0 / 3.0)) - 1.0) - rest) / slope;
         }
         if ((newton > low) && (newton < high))
         {
@@ -710,13 +713,12 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
  *     A < B:                 m = L,    n = L q,  r the same
  *
- * so that the three combinations ANALYN needs are functions of B/A alone:
+ * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
  *
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
- * and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
- * where an exponent and a difference find the place, exact to 1e-12
- * (kernel/binding/exact_tables.py).
+ * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
+ * (kernel/binding/fixed_tables.py).
  *
  * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
  * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
@@ -731,22 +733,16 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  * (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
  */
 
-/* Value of column 0 (1 + alpha) or 6 (n r) at the ``ratio`` B/A; clamped to the table's range. */
-static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio)
+/* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
 {
-    int64_t octave;
-    double place;
     int64_t cell;
     double u;
     int64_t at;
     double high;
     double result;
-    ratio = double_min(2, double_max(2, coefficients__LEAST_RATIO, ratio), coefficients__MOST_RATIO);
-    octave = binary__exponent(ratio);
-    place = (double)(layout__HERTZ_CELLS) * (ratio * binary__power_of_two(-octave) - 1.0);
-    cell = (int64_t)(place);
-    u = place - (double)(cell);
-    at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
+    tables__table_cell(&cell, &u, (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)));
+    at = layout__HERTZ_ROW * cell + column;
     high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
     result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
     return result;
@@ -756,9 +752,9 @@ static inline double coefficients__table_value(array_double_1d tables, int64_t t
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
 {
     double ratio;
-    ratio = B / A;
+    ratio = log(B / A);
     (*result_0) = coefficients__table_value(tables, table, INT64_C(0), ratio);
-    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), A / B);
+    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), -ratio);
     (*result_2) = coefficients__table_value(tables, table, INT64_C(6), ratio);
     return 0;
 }
@@ -978,9 +974,9 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         {
             coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
         }
-        alpha = coefficients__table_value(tables, table, INT64_C(0), secant / A);
-        beta = coefficients__table_value(tables, table, INT64_C(0), A / side);
-        nr = coefficients__table_value(tables, table, INT64_C(6), B / A);
+        alpha = coefficients__table_value(tables, table, INT64_C(0), log(secant / A));
+        beta = coefficients__table_value(tables, table, INT64_C(0), log(A / side));
+        nr = coefficients__table_value(tables, table, INT64_C(6), log(B / A));
         if (yawed)
         {
             alpha *= alpha_factor;
@@ -1030,7 +1026,7 @@ static inline double estimate__guess_penetration(double force, double A, double 
 {
     double share;
     share = 0.75 * force / contact_modulus;
-    return powers__cube_root(share * share * (1.0 + estimate__TYPICAL_RATIO) * A);
+    return pow((share * share * (1.0 + estimate__TYPICAL_RATIO) * A), (1.0 / 3.0));
 }
 
 /* Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
@@ -1048,7 +1044,6 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
     double one_beta;
     double nr;
     double stiffness;
-    double root;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     widths__measure_widths(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
@@ -1064,8 +1059,7 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
     }
     coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
     stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    root = powers__cube_root(force / stiffness);
-    return root * root;
+    return pow((force / stiffness), (2.0 / 3.0));
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
@@ -1096,6 +1090,137 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
 }
 
 
+/* ---- From normal/hertz_contact.py; change that one.
+ *
+ * Hertz's contact of one side: one elliptic patch in closed form, with the curvatures at the contact point.
+ *
+ * The ellipse is no wider than wheel and rail.  Where the surfaces are nearly parallel, as in the flange root,
+ * that of the contact point's curvatures would reach beyond the profiles: 120 mm under 90 kN.  There the lateral
+ * curvature is the one whose ellipse ends where the first of both profiles does; penetration, load and pressure
+ * are those of this ellipse.
+ */
+
+/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
+ * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
+ *
+ * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+ */
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+{
+    int64_t point;
+    double A;
+    double B;
+    double half_length;
+    double half_width;
+    double stiffness;
+    double widest;
+    double load;
+    int64_t patch;
+    double pressure;
+    frame__locate_along_track(tables, work, pair, INT64_C(1));
+    point = side + layout__SIDE_SEARCH_POINT;
+    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
+    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
+    hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+    widest = hertz_contact__widest_ellipse(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    if (half_width > widest)
+    {
+        B = hertz_contact__narrow_ellipse(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed, widest);
+        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+    }
+    load = stiffness * (*penetration) * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    filling__clear_patches(work, side);
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    filling__add_load(work, patch, INT64_C(0), load, 0.0);
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    filling__finish_patch(work, side);
+    filling__finish_patches(work, side);
+    (*result_1) = INT64_C(1);
+    (*result_2) = 1;
+    return 0;
+}
+
+/* Half-length and half-width [m], N / penetration^(3/2) [N/m^1.5] and penetration [m] of the ellipse for
+ * the separation A x^2 + B s^2 under ``force`` [N], as far as it counts in the region, or at the
+ * ``prescribed`` penetration [m] if that is a number.
+ */
+static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed)
+{
+    double one_alpha;
+    double one_beta;
+    double nr;
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+    (*stiffness) = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    (*penetration) = prescribed;
+    if (!isfinite(prescribed))
+    {
+        (*penetration) = pow((force / ((*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness))), (2.0 / 3.0));
+    }
+    (*result_0) = sqrt((*penetration) / (one_alpha * A));
+    (*result_1) = sqrt((*penetration) / (one_beta * B));
+    return 0;
+}
+
+/* Distance [m] of the contact point from where the first profile ends to either side, the smaller one, in
+ * stations of the patch: along the rail of a pressed wheel, else in the contact plane.
+ *
+ * Below a patch both abscissae run alike (patch_places.py).
+ */
+static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
+{
+    int64_t rail;
+    int64_t wheel;
+    double low;
+    double high;
+    double widest;
+    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    low = double_max(2, (*cspan_at(&tables, rail + layout__PROFILE_START)), (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START))));
+    high = double_min(2, (*cspan_at(&tables, rail + layout__PROFILE_STOP)), (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL))));
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    {
+        widest = double_min(2, curves__rail_length(tables, pair, low, (*cspan_at(&work, region + layout__REGION_RAIL))), curves__rail_length(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), high));
+    }
+    else
+    {
+        widest = double_min(2, (*cspan_at(&work, region + layout__REGION_RAIL)) - low, high - (*cspan_at(&work, region + layout__REGION_RAIL))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    }
+    return double_max(2, widest, hertz_contact__NARROWEST);
+}
+
+/* The lateral curvature [1/m] whose ellipse is ``widest`` [m] to either side, if it is not sharper than
+ * SHARPEST A; the arguments are those of :func:`press_ellipse`.
+ *
+ * The square of the half-width is nearly as 1/B: its logarithm falls by 0.8 ... 1.2 where that of B rises
+ * by 1, also under a force.
+ */
+static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest)
+{
+    int64_t narrowing;
+    double half_length;
+    double half_width;
+    double stiffness;
+    double penetration;
+    double share;
+    for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
+    {
+        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, &penetration, work, tables, region, A, B, force, prescribed);
+        share = half_width / widest;
+        B = double_min(2, B * share * share, hertz_contact__SHARPEST * A);
+    }
+    return B;
+}
+
+
 /* ---- From normal/node_patches.py; change that one.
  *
  * From ANALYN's regions to patches: every node becomes a strip, every run of loaded cells a patch.
@@ -1111,6 +1236,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
     int64_t strips;
     int64_t index;
     int64_t region;
+    double angle;
     int64_t k_end;
     int64_t k;
     filling__clear_patches(work, side);
@@ -1125,10 +1251,11 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             node_patches__fill_strips(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
+            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                node_patches__add_cell(work, side, index, k);
+                node_patches__add_cell(work, side, index, k, angle);
             }
         }
     }
@@ -1185,7 +1312,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
 /* Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
  * new one that begins in it.
  */
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k)
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k, double contact_angle)
 {
     int64_t region;
     int64_t nodes;
@@ -1240,7 +1367,7 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side,
             begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        index = node_patches__patch_from(work, side, region, begin, strip + k);
+        index = node_patches__patch_from(work, side, region, begin, strip + k, contact_angle);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(strip + k + INT64_C(1));
@@ -1280,7 +1407,7 @@ static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t 
 /* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
  * to: the last one if that ends there, else a new one.
  */
-static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip)
+static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip, double contact_angle)
 {
     bool joined;
     int64_t last;
@@ -1298,7 +1425,7 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t sid
     if (!joined)
     {
         filling__finish_patch(work, side);
-        index = filling__begin_patch(work, side, region, start, strip, layout__RULE_QUADRATIC);
+        index = filling__begin_patch(work, side, region, start, strip, layout__RULE_QUADRATIC, contact_angle);
     }
     return index;
 }
@@ -1708,7 +1835,7 @@ static inline double nodes__zone_share(array_double_1d tables, double A, double 
 {
     double share;
     side = double_max(2, side, coefficients__FLOOR * A);
-    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / side);
+    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
     if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = nodes__COVER;
@@ -1831,66 +1958,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * A further model is a file with a function like :func:`~.analyn_contact.analyn_contact`, and a branch here; see
  * ``NormalModel`` in wrcontact/methods/normal.py for its duties.
- *
- * Hertz's stands here: one elliptic patch in closed form, with the curvatures at the contact point.
  */
-
-/* Fill the only patch of a side by Hertz's ellipse under ``force`` [N], or at the ``prescribed``
- * penetration [m] if that is a number; penetration [m], number of regions, 1, and 1: the force is satisfied.
- *
- * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
- */
-static inline int64_t normal_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
-{
-    int64_t point;
-    int64_t table;
-    double A;
-    double B;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double stiffness;
-    double root;
-    double load;
-    double half_length;
-    double half_width;
-    int64_t patch;
-    double pressure;
-    frame__locate_along_track(tables, work, pair, INT64_C(1));
-    point = side + layout__SIDE_SEARCH_POINT;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
-    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        root = powers__cube_root(force / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)) * stiffness));
-        (*penetration) = root * root;
-    }
-    load = stiffness * (*penetration) * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    half_length = sqrt((*penetration) / (one_alpha * A));
-    half_width = sqrt((*penetration) / (one_beta * B));
-    filling__clear_patches(work, side);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE);
-    filling__add_load(work, patch, INT64_C(0), load, 0.0);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
-    filling__finish_patch(work, side);
-    filling__finish_patches(work, side);
-    (*result_1) = INT64_C(1);
-    (*result_2) = 1;
-    return 0;
-}
 
 /* Fill the patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration
  * [m] if that is a number.
@@ -1903,7 +1971,7 @@ static inline int64_t normal_contact__solve_normal(double* penetration, int64_t*
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        normal_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
+        hertz_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
@@ -2109,7 +2177,6 @@ static inline double patch_places__abscissa_at(array_double_1d tables, array_dou
 static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch)
 {
     double load;
-    double slope;
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
     {
@@ -2117,10 +2184,7 @@ static inline int64_t patch_places__close_place(array_double_1d work, int64_t pa
         (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) /= load;
         (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) /= load;
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) /= load;
-        slope = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / (-(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)));
-        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -circle__atan(slope);
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = (-slope) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -atan((*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / (-(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z))));
     }
     return INT64_C(0);
 }
@@ -3065,7 +3129,7 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t side
     start = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
     stop = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT);
+    index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
@@ -4107,8 +4171,8 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, arra
         B = sqrt(low * high);
         coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
         lean = 0.0;
-        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
-        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
+        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
+        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
         if (frame__is_yawed(work))
         {
             slant = strip_surfaces__ridge_slant(work, index);
