@@ -194,8 +194,8 @@ def begin_march(rolling: Rolling, patch: Patch, strip: RollingStrip, rate: float
     march.half_length = strip.half_length
     march.rate = rate
     march.slip = strip.slip
-    march.lateral = patch.creepage_y + patch.spin * strip.x
-    march.spin = patch.spin
+    march.lateral = strip.lateral
+    march.spin = strip.spin
     along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
     march.along = along
     march.across = across

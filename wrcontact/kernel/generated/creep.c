@@ -34,6 +34,7 @@ static inline int64_t creepage__rolling_velocity(double* result_0, double* resul
 static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse);
 static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
 
@@ -566,8 +567,8 @@ static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t 
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
     stiffness__stiffnesses_at(&along, &across, &turning, work, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across;
@@ -662,6 +663,7 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
     }
@@ -684,7 +686,7 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  *     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
  *     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
  *
- * The left wheel is mirrored.
+ * The left wheel is mirrored.  A strip of a patch has those of its own middle, with the normal of the rail there.
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
@@ -733,26 +735,49 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
     return INT64_C(0);
 }
 
-/* Longitudinal creepages of the strips of a patch that rolls, each with its own rolling radius. */
+/* Creepages and spin of the strips of a patch that rolls. */
 static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t index;
-    int64_t strip;
+    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    {
+        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+    }
+    return INT64_C(0);
+}
+
+/* Creepages and spin of a strip, with its own rolling radius and its own normal, from that of its patch at
+ * ``x_track`` [m], which rolls at the speed 1/``inverse`` [m/s].
+ */
+static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse)
+{
+    int64_t rail;
+    double x;
     double y;
     double z;
     double rolling_x;
     double rolling_y;
     double rolling_z;
     double share;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)), y, z, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = creepage__velocity_along(work, motion, y, z, rolling_x) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    }
+    double turn_z;
+    double along;
+    double roll;
+    double lateral;
+    double vertical;
+    rail = motion + layout__MOTION_RAIL;
+    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
+    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
+    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
+    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z))) + turn_z * x - roll * z - rolling_y;
+    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y))) + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical) * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z))) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)))) * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
     return INT64_C(0);
 }
 
@@ -1064,7 +1089,7 @@ static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch)
     return INT64_C(0);
 }
 
-/* Longitudinal creepage of each strip where the patch is plane and all of it turns at one rate. */
+/* Creepages and spin of each strip where the patch is plane and all of it turns at one rate. */
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 {
     int64_t i;
@@ -1073,6 +1098,8 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
     }
     return INT64_C(0);
 }
@@ -1106,7 +1133,7 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
     int64_t i;
     int64_t strip;
     double rate;
-    double lateral;
+    double slanted;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
     fastrip__set_stiffnesses(work, tables, patch);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
@@ -1119,11 +1146,11 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
         {
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-            fastrip__find_stick(work, fastrip__longitudinal(work, tables, patch, strip), lateral, (*cspan_at(&work, patch + layout__PATCH_SPIN)));
+            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+            fastrip__find_stick(work, fastrip__longitudinal(work, tables, patch, strip), (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = fastsim__strip_push(work, patch, strip, along, turning);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
             fastrip__add_tractions(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip);
             stuck += 2.0 * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
@@ -1364,6 +1391,7 @@ static inline double fastsim__strip_push(array_double_1d work, int64_t patch, in
 static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
 {
     double a;
+    double slanted;
     double lateral;
     double turn;
     double before;
@@ -1384,8 +1412,9 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     double square;
     double result;
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-    turn = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    lateral = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
+    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
     before = a;
     p_x = 0.0;
     p_y = 0.0;
@@ -1439,9 +1468,10 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *
  * In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
  *
- *     P = -(xi F_x + eta F_y + phi M + sum_i (w_i - xi + phi y_i) F_x,i)                             (W1)
+ *     P = -(xi F_x + eta F_y + phi M
+ *           + sum_i [(w_x,i - xi + phi y_i) F_x,i + (w_y,i - phi_i x_i - eta) F_y,i + (phi_i - phi) M_i])   (W1)
  *
- * with the longitudinal creepages w_i of the strips.  The complete theory has P >= 0, and so have the models
+ * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the models
  * almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment makes P
  * negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
  */
@@ -1522,6 +1552,8 @@ static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) *= factor;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) *= factor;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) *= factor;
     }
     return INT64_C(0);
 }
@@ -1558,13 +1590,15 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
     int64_t i;
     int64_t strip;
     double plane;
+    double lateral;
     double gain;
     gain = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        gain += ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+        gain += (((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return gain;
 }

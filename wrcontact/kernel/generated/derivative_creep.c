@@ -820,10 +820,10 @@ static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d w
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
     derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along;
@@ -953,6 +953,8 @@ static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d w
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT));
@@ -1069,7 +1071,21 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t index;
-    int64_t strip;
+    double v1;
+    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    {
+        v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)), v1, (-v1) * (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``move_strip``. */
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t)
+{
+    int64_t rail;
+    double x_t;
+    double x;
     double y_t;
     double y;
     double z_t;
@@ -1082,24 +1098,54 @@ static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, a
     double rolling_z_t;
     double share;
     double share_t;
+    double turn_z_t;
+    double turn_z;
+    double along_t;
+    double along;
+    double roll_t;
+    double roll;
     double v1;
-    double v1_t;
+    double lateral_t;
+    double lateral;
     double v2;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)), y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-        derivative_creepage__velocity_along_t(&v1, &v1_t, work, work_t, motion, y, y_t, z, z_t, rolling_x, rolling_x_t);
-        v2 = v1 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (v1_t - v2 * (*cspan_at(&work_t, patch + layout__PATCH_SPEED))) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = v2;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share_t;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    }
+    double vertical_t;
+    double vertical;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    rail = motion + layout__MOTION_RAIL;
+    x_t = x_track_t + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
+    turn_z_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
+    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    along_t = (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) - ((*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - (turn_z_t * y + turn_z * y_t) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z_t) - rolling_x_t;
+    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
+    roll_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL));
+    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
+    v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
+    lateral_t = (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) + ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)))) + (turn_z_t * x + turn_z * x_t) - (roll_t * z + roll * z_t) - rolling_y_t;
+    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1 + turn_z * x - roll * z - rolling_y;
+    v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
+    vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)))) + (roll_t * y + roll * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t;
+    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2 + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = along_t * inverse + along * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
+    v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical_t)) * inverse + v3 * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = v3 * inverse;
+    v4 = turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
+    v5 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
+    v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * v4 - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * v5;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z_t - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)))) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = v6 * inverse;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
     return INT64_C(0);
 }
 
@@ -1590,6 +1636,10 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
     }
     return INT64_C(0);
 }
@@ -1617,8 +1667,8 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     double v1_t;
     double rate_t;
     double rate;
-    double lateral_t;
-    double lateral;
+    double slanted_t;
+    double slanted;
     double v2;
     double v2_t;
     double v3;
@@ -1648,18 +1698,18 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            lateral_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-            lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+            slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, v2, v2_t, lateral, lateral_t, (*cspan_at(&work, patch + layout__PATCH_SPIN)), (*cspan_at(&work_t, patch + layout__PATCH_SPIN)));
+            derivative_fastrip__find_stick_t(work, work_t, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3;
-            v4 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across_t + (((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) * turning + v4 * turning_t);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + v4 * turning;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * turning + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning_t;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+            v4 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
+            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v4 * across_t + (slanted_t * turning + slanted * turning_t);
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = v4 * across + slanted * turning;
+            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
             derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip);
             v5 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
             v6 = 2.0 * v5;
@@ -2144,6 +2194,8 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
 {
     double a_t;
     double a;
+    double slanted_t;
+    double slanted;
     double v1;
     double lateral_t;
     double lateral;
@@ -2194,11 +2246,13 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
     double v11;
     a_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    lateral_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across_t + (((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) * turning + v1 * turning_t);
-    lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + v1 * turning;
-    turn_t = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * turning + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning_t;
-    turn = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+    slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
+    lateral_t = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v1 * across_t + (slanted_t * turning + slanted * turning_t);
+    lateral = v1 * across + slanted * turning;
+    turn_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
     before_t = a_t;
     before = a;
     p_x_t = 0.0;
@@ -2448,6 +2502,10 @@ static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d 
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor_t;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor_t;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor;
     }
     return INT64_C(0);
 }
@@ -2522,8 +2580,11 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
     int64_t strip;
     double plane_t;
     double plane;
+    double lateral_t;
+    double lateral;
     double v1;
     double v2;
+    double v3;
     (*gain_t) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y))) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
     (*gain) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
@@ -2531,10 +2592,13 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         plane_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
         plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        lateral_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) - (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane;
-        v2 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
-        (*gain_t) = (*gain_t) + ((((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - plane_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        (*gain) = (*gain) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        v3 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
+        (*gain_t) = (*gain_t) + ((((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - plane_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (lateral_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + lateral * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        (*gain) = (*gain) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return 0;
 }

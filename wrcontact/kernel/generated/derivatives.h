@@ -71,6 +71,7 @@ static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, 
 static inline int64_t derivative_creepage__velocity_along_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double y, double y_t, double z, double z_t, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__reference_speed_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t);
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_creepage__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 
@@ -144,6 +145,7 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
 
 /* derivative_forces.py */
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__about_axle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double moment_x, double moment_x_t, double moment_y, double moment_y_t, double moment_z, double moment_z_t);
 static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double plane, double plane_t, double across, double across_t);
 static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double mirror, double mirror_t);
