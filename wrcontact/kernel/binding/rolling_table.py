@@ -33,7 +33,7 @@ CORRECTION = Path(__file__).parents[1] / "data" / "rolling_correction.npz"
 #: Poisson's ratios of its tables.
 CORRECTION_NODES = (0.25, 0.28, 0.30)
 #: Unit of their numbers, of mu N and of mu N sqrt(ab).
-CORRECTION_UNIT = 1e-5
+CORRECTION_UNIT = 2e-5
 #: Step of numerical slopes, of a cell.
 STEP = 1e-4
 

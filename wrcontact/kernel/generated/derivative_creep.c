@@ -47,6 +47,12 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     double v10;
     double v11;
     double v11_t;
+    double v12;
+    double v12_t;
+    double v13;
+    double v13_t;
+    double v14;
+    double v14_t;
     double force_x;
     double force_x_t;
     double force_y;
@@ -93,6 +99,25 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     derivative_correction__missing_t(&v11, &v11_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
     (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v9 * mean_axis_t) * v11 + v10 * v11_t);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v10 * v11;
+    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) + v12_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v12;
+    v13 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
+    v13_t = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
+    if (0.0 > v13)
+    {
+        v13 = 0.0;
+        v13_t = 0.0;
+    }
+    v14 = v13;
+    v14_t = v13_t;
+    if (1.0 < v14)
+    {
+        v14 = 1.0;
+        v14_t = 0.0;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = v14_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v14;
     derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
     (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = force_x_t;
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
@@ -341,8 +366,8 @@ static inline int64_t derivative_correction__on_line_t(double* result_0, double*
  * Derivatives of coupled_strips.py.
  */
 
-/* Derivative of ``find_stick_zone``. */
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t)
+/* Derivative of ``open_stick_zone``. */
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double shift, double shift_t, double width, double width_t, double ratio, double ratio_t)
 {
     double a_t;
     double a;
@@ -351,124 +376,181 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double inverse;
     double v2;
     double v3;
-    double u_t;
-    double u;
     double v4;
     double v5;
-    double v_t;
-    double v;
     double v6;
     double v7;
+    double v8;
+    double v9;
+    double v9_t;
+    double depth;
+    double depth_t;
+    double weight;
+    double weight_t;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v1 = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    inverse_t = (-v1) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    inverse = v1;
+    v2 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG));
+    v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift;
+    v4 = v2 * v3;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * v3 + v2 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) + shift_t)) * inverse + v4 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v4 * inverse;
+    v5 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
+    v6 = v5 * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) * inverse + v6 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v6 * inverse;
+    v7 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
+    v8 = v7 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v7 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * inverse + v8 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = v8 * inverse;
+    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, width_t * inverse + width * inverse_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), ratio, ratio_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)) = v9_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = v9;
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), a, a_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = weight_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0;
+    if (depth < a)
+    {
+        v10 = 0.5 * depth;
+        v11 = v10 / a;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = -((0.5 * depth_t - v11 * a_t) / a);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0 - v11;
+    }
+    else
+    {
+        v12 = 0.5 * a;
+        v13 = v12 / depth;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = (0.5 * a_t - v13 * depth_t) / depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = v13;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``find_stick_zone``. */
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double mean, double mean_t, double ratio, double ratio_t)
+{
+    double a_t;
+    double a;
+    double v2;
+    double v1;
+    double v1_t;
+    double share_t;
+    double share;
+    double v3;
+    double v4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    double push_t;
+    double push;
+    double u_t;
+    double u;
+    double v_t;
+    double v;
     double k_t;
     double k;
     double v8;
-    double v8_t;
-    double spread_t;
-    double spread;
     double depth;
     double depth_t;
-    double first_weight;
-    double first_weight_t;
-    double v10;
-    double v9;
-    double v9_t;
-    double share_t;
-    double share;
-    double v11;
     double weight;
     double weight_t;
+    double v9;
+    double v9_t;
+    double v10;
+    double v11;
     double v12;
-    double v12_t;
     double v13;
-    double v14;
     double v15;
     double v16;
-    double v18;
-    double v19;
+    double v14;
+    double v14_t;
     double v17;
-    double v17_t;
-    double v20;
-    double v21;
-    double v21_t;
-    a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    v1 = 1.0 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    inverse_t = (-v1) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    inverse = v1;
-    v2 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG));
-    v3 = v2 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    u_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) + v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP))) * inverse + v3 * inverse_t;
-    u = v3 * inverse;
-    v4 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS));
-    v5 = v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
-    v_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL))) * inverse + v5 * inverse_t;
-    v = v5 * inverse;
-    v6 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING));
-    v7 = v6 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    k_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + v6 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN))) * inverse + v7 * inverse_t;
-    k = v7 * inverse;
-    derivative_coupled_strips__spread_square_t(&v8, &v8_t, work, work_t, width * inverse, width_t * inverse + width * inverse_t, k, k_t, ratio, ratio_t);
-    spread_t = v8_t;
-    spread = v8;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &first_weight, &first_weight_t, u * u + spread, u_t * u + u * u_t + spread_t, v, v_t, k, k_t, a, a_t);
-    v10 = depth / a;
-    derivative_coupled_strips__later_share_t(&v9, &v9_t, v10, (depth_t - v10 * a_t) / a, ratio, ratio_t);
-    share_t = v9_t;
-    share = v9;
-    u_t = u_t * share + u * share_t;
-    u = u * share;
-    v_t = v_t * share + v * share_t;
-    v = v * share;
-    k_t = k_t * share + k * share_t;
-    k = k * share;
-    v11 = share * share;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v11 * spread, u_t * u + u * u_t + ((share_t * share + share * share_t) * spread + v11 * spread_t), v, v_t, k, k_t, a, a_t);
-    v12 = weight;
-    v12_t = weight_t;
-    if (first_weight < v12)
+    double v18;
+    double v18_t;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a;
+    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v2 * a_t) / a, ratio, ratio_t);
+    share_t = v1_t;
+    share = v1;
+    v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean;
+    v4 = coupled_strips__YIELD * v3;
+    v5 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+    v5_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED));
+    if (mean > v5)
     {
-        v12 = first_weight;
-        v12_t = first_weight_t;
+        v5 = mean;
+        v5_t = mean_t;
     }
-    weight_t = v12_t;
-    weight = v12;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    v6 = v4 / v5;
+    v7 = 1.0 + v6;
+    push_t = share_t * v7 + share * ((coupled_strips__YIELD * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) - mean_t) - v6 * v5_t) / v5);
+    push = share * v7;
+    u_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+    u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+    v_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+    v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+    k_t = share_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST));
+    k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+    v8 = share * share;
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v8 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), u_t * u + u * u_t + ((share_t * share + share * share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v8 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))), v, v_t, k, k_t, a, a_t);
+    v9 = weight;
+    v9_t = weight_t;
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v9)
+    {
+        v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+        v9_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    }
+    weight_t = v9_t;
+    weight = v9;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if ((weight > 0.0) && (depth < a))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        v13 = depth + march__NOTHING;
-        v14 = u / v13;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v14 * depth_t) / v13;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v14;
-        v15 = depth + march__NOTHING;
-        v16 = v / v15;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v16 * depth_t) / v15 + k_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v16 + k;
-        v18 = depth / a;
-        v19 = 1.0 - v18;
-        derivative_coupled_strips__smooth_step_t(&v17, &v17_t, v19 / coupled_strips__FADE, (-((depth_t - v18 * a_t) / a)) / coupled_strips__FADE);
-        v20 = weight * v17;
-        derivative_coupled_strips__edge_weight_t(&v21, &v21_t, work, work_t);
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v17 + weight * v17_t) * v21 + v20 * v21_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = v20 * v21;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        v10 = depth + march__NOTHING;
+        v11 = u / v10;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v11 * depth_t) / v10;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v11;
+        v12 = depth + march__NOTHING;
+        v13 = v / v12;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v13 * depth_t) / v12 + k_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v13 + k;
+        v15 = depth / a;
+        v16 = 1.0 - v15;
+        derivative_coupled_strips__smooth_step_t(&v14, &v14_t, v16 / coupled_strips__FADE, (-((depth_t - v15 * a_t) / a)) / coupled_strips__FADE);
+        v17 = weight * v14;
+        derivative_coupled_strips__edge_weight_t(&v18, &v18_t, work, work_t, march);
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v14 + weight * v14_t) * v18 + v17 * v18_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v17 * v18;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
     return INT64_C(0);
 }
 
 /* Derivative of ``spread_square``. */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t march, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t)
 {
     double v1;
     double over_width_t;
@@ -487,8 +569,8 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
     double floor_t;
     double floor;
     double v7;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    over_width_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
+    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    over_width_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
     over_width = v1 * scale;
     v2 = fabs(k);
     v2_t = derivative_rates__size_rate(k, k_t);
@@ -511,8 +593,8 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
     v4 = coupled_strips__SPREAD_FLOOR * long_0001;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    floor = v6 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = v6 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v7 = over_width * over_width;
     (*result_0) = v7 / 6.0 + floor * floor;
     (*result_1) = (over_width_t * over_width + over_width * over_width_t) / 6.0 + (floor_t * floor + floor * floor_t);
@@ -623,7 +705,7 @@ static inline int64_t derivative_coupled_strips__later_share_t(double* share, do
 }
 
 /* Derivative of ``edge_weight``. */
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t march)
 {
     double v1;
     double v2;
@@ -642,19 +724,19 @@ static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, d
     double v6_t;
     (*weight_t) = 0.0;
     (*weight) = 1.0;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
     {
-        v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        t_t = derivative_rates__root_rate(v3, -(((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))));
+        t_t = derivative_rates__root_rate(v3, -(((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH))));
         t = v3;
         v4 = 1.0 - t;
-        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (-t_t);
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v4;
+        along_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-t_t);
+        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v4;
         v5 = 1.0 - t;
-        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (-t_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t_t);
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t;
+        across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-t_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * t + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t_t);
+        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
         derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, derivative_rates__root_rate(v8, along_t * along + along * along_t + (across_t * across + across * across_t)));
@@ -708,14 +790,14 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     double plane_t;
     double spinning;
     double spinning_t;
+    double v2;
+    double v2_t;
+    double mean_t;
+    double mean;
     double stuck_t;
     double stuck;
     int64_t i;
-    int64_t strip;
-    double v2;
-    double v2_t;
-    double rate_t;
-    double rate;
+    int64_t march;
     double v3;
     double v4;
     double v5;
@@ -727,25 +809,24 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
     derivative_march__open_marches_t(work, work_t, ratio, ratio_t);
+    derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
+    mean_t = v2_t;
+    mean = v2;
     stuck_t = 0.0;
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        derivative_tractions__bound_rate_t(&v2, &v2_t, work, work_t, patch, strip);
-        rate_t = v2_t;
-        rate = v2;
-        if (rate > 0.0)
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
         {
-            derivative_coupled_strips__begin_march_t(work, work_t, patch, strip, rate, rate_t, i);
-            derivative_coupled_strips__find_stick_zone_t(work, work_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
-            derivative_march__set_pushes_t(work, work_t, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
-            derivative_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), i);
-            v3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
+            derivative_coupled_strips__find_stick_zone_t(work, work_t, march, mean, mean_t, ratio, ratio_t);
+            derivative_march__set_pushes_t(work, work_t, march, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
+            derivative_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, i);
+            v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
             v4 = 2.0 * v3;
-            v5 = v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
-            stuck_t = stuck_t + ((2.0 * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-            stuck = stuck + v5 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v5 = v4 * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+            stuck_t = stuck_t + ((2.0 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) + v4 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            stuck = stuck + v5 * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
     }
     derivative_march__march_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
@@ -755,6 +836,52 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (stuck_t - v7 * v6_t) / v6;
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v7;
     return INT64_C(0);
+}
+
+/* Derivative of ``open_stick_zones``. */
+static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double ratio, double ratio_t)
+{
+    double carried_t;
+    double carried;
+    double whole_t;
+    double whole;
+    int64_t i;
+    int64_t strip;
+    int64_t march;
+    double v1;
+    double v1_t;
+    double v2;
+    double weight_t;
+    double weight;
+    double v3;
+    carried_t = 0.0;
+    carried = 0.0;
+    whole_t = 0.0;
+    whole = 0.0;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) = v1_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = v1;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        {
+            derivative_coupled_strips__begin_march_t(work, work_t, march, strip, i);
+            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
+            v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+            weight_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            weight = v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            whole_t = whole_t + weight_t;
+            whole = whole + weight;
+            carried_t = carried_t + (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)));
+            carried = carried + weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+        }
+    }
+    v3 = whole + march__NOTHING;
+    (*v4) = carried / v3;
+    (*result_1) = (carried_t - (*v4) * whole_t) / v3;
+    return 0;
 }
 
 /* Derivative of ``flexibilities``. */
@@ -806,7 +933,7 @@ static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, dou
 }
 
 /* Derivative of ``begin_march``. */
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index)
+static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t strip, int64_t index)
 {
     double along;
     double along_t;
@@ -814,23 +941,21 @@ static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d w
     double across_t;
     double turning;
     double turning_t;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
     derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = turning_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = turning;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = along_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = across_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = turning_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
     return INT64_C(0);
 }
 
@@ -1681,7 +1806,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     double v8_t;
     double v9;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
-    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch);
+    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
     stuck_t = 0.0;
@@ -1701,7 +1826,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
             slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
             slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
+            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3;
@@ -1710,7 +1835,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = v4 * across + slanted * turning;
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
-            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip);
+            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
             v5 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
             v6 = 2.0 * v5;
             stuck_t = stuck_t + (2.0 * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v6 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
@@ -1728,7 +1853,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
 }
 
 /* Derivative of ``set_stiffnesses``. */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
 {
     double v1;
     double ratio_t;
@@ -1759,20 +1884,20 @@ static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = 2.0 * first_t * modulus / v4;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * first_t * modulus / v4;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second_t * modulus / v7;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second_t * modulus / v7;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = (1.5 * third_t * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, ratio_t))) / v11;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = v12;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = (1.5 * third_t * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, ratio_t))) / v11;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = v12;
     return INT64_C(0);
 }
 
@@ -1796,7 +1921,7 @@ static inline int64_t derivative_fastrip__longitudinal_t(double* push, double* p
 }
 
 /* Derivative of ``find_stick``. */
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t)
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, int64_t march, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t)
 {
     double v1;
     double v2;
@@ -1837,18 +1962,18 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     double v21;
     double v22;
     v1 = -push;
-    v2 = v1 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    u_t = ((-push_t) - v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v2 = v1 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    u_t = ((-push_t) - v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     u = v2;
-    v3 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS));
+    v3 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
     v4 = v3 * lateral;
-    v5 = v4 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    v_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * lateral + v3 * lateral_t - v5 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v5 = v4 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * lateral + v3 * lateral_t - v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v = v5;
-    v6 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING));
+    v6 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
     v7 = v6 * spin;
-    v8 = v7 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    k_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * spin + v6 * spin_t - v8 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v8 = v7 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    k_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * spin + v6 * spin_t - v8 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     k = v8;
     rest_t = -(k_t * k + k * k_t);
     rest = 1.0 - k * k;
@@ -1857,8 +1982,8 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     v9 = rest * u;
     spread_t = v_t * v + v * v_t + ((rest_t * u + rest * u_t) * u + v9 * u_t);
     spread = v * v + v9 * u;
-    depth_t = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth_t = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
@@ -1887,34 +2012,34 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         depth_t = (u_t * u + u * u_t + (v_t * v + v * v_t) - v18 * (derivative_rates__root_rate(v16, spread_t) - cross_t)) / v17;
         depth = v18;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if (depth < (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)))
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v20 * depth_t) / v19;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v20;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v20 * depth_t) / v19;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v22 * depth_t) / v21 + k_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v22 * depth_t) / v21 + k_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return INT64_C(0);
 }
 
 /* Derivative of ``add_tractions``. */
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip)
+static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
     double a_t;
     double a;
@@ -1937,56 +2062,56 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
     double v4_t;
     double weight_t;
     double weight;
-    a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = a;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a;
-        bound_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+        bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
         bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, x, x_t, bound, bound_t);
+        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, x, x_t, bound, bound_t);
         square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
         square = p_x * p_x + p_y * p_y;
-        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
-        v2_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
+        v2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST));
         if (square > v2)
         {
             v2 = square;
             v2_t = square_t;
         }
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = v2_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = v2;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
         v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
     }
     derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
     weight_t = v4_t;
     weight = v4;
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)));
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)));
     return INT64_C(0);
 }
 
 /* Derivative of ``next_traction``. */
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t)
+static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t)
 {
     double step_t;
     double step;
@@ -2010,32 +2135,32 @@ static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p
     double size;
     double v9;
     double v10;
-    step_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) - x_t;
-    step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) - x;
+    step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
+    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
     v1 = x + 0.5 * step;
-    across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * (x_t + 0.5 * step_t));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
-    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) - (step_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) + step * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X))), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) - step * across, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) - (step_t * across + step * across_t), bound, bound_t);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = x_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = (*p_x_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    reach_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    reach = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    v2 = x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    v3 = x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))));
+    across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x_t + 0.5 * step_t));
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
+    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X))), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) - (step_t * across + step * across_t), bound, bound_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x_t);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y_t);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
+    reach_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH));
+    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    v2 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    v3 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))));
     inner = reach * reach - v2 * v3;
     if (inner > 0.0)
     {
         v4 = sqrt(inner);
-        root_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * v4 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, inner_t);
-        root = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * v4;
+        root_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, inner_t);
+        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v4;
         v5 = bound - root;
         v6 = bound - root;
-        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root_t), bound, bound_t);
+        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t), bound, bound_t);
     }
     else
     {
@@ -2642,7 +2767,7 @@ static inline int64_t derivative_march__open_marches_t(array_double_1d work, arr
 }
 
 /* Derivative of ``set_pushes``. */
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
+static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
 {
     double i1_t;
     double i1;
@@ -2705,20 +2830,20 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     double v31;
     double turning_t;
     double turning;
-    i1_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane_t;
-    i1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane;
-    i2_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane_t;
-    i2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane;
-    i3_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning_t;
-    i3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning;
+    i1_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane_t;
+    i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
+    i2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane_t;
+    i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
+    i3_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) * spinning + (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning_t;
+    i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
     v1 = 3.0 * M_PI / 32.0;
-    v2 = v1 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    s_t = v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    s = v2 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
-    y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
+    v2 = v1 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    s_t = v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN));
+    s = v2 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP));
+    x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
+    y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL));
+    y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
     z_t = s_t * s + s * s_t;
     z = s * s;
     v3 = x * i1 + y * i2 + z * i3 + march__NOTHING * i1;
@@ -2731,9 +2856,9 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v8 = z * i3;
     fills_t = (x_t * i1 + x * i1_t) * i1 + v6 * i1_t + ((y_t * i2 + y * i2_t) * i2 + v7 * i2_t) + ((z_t * i3 + z * i3_t) * i3 + v8 * i3_t);
     fills = v6 * i1 + v7 * i2 + v8 * i3;
-    v9 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v10 = 4.0 / v9;
-    scale_t = (-v10) * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / v9;
+    scale_t = (-v10) * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / v9;
     scale = v10;
     v11 = scale * fills;
     v12 = march__FILLS * march__FILLS;
@@ -2766,15 +2891,15 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v27 = lag / v26;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = (lag_t - v27 * ((scale_t * fills + scale * fills_t) / v25)) / v26;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = v27;
-    v28 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    along_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v28 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    along_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     along = v28;
-    v29 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    across_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v29 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     across = v29;
-    v30 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    v31 = v30 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    turning_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v30 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v31 = v30 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     turning = v31;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along_t * i1 + along * i1_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
@@ -2792,7 +2917,7 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
 }
 
 /* Derivative of ``set_stick``. */
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number)
+static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number)
 {
     double weight_t;
     double weight;
@@ -2820,8 +2945,8 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
     double v11;
     double v12;
     double v13;
-    weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
+    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = -weight_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
     v1 = 1.0 - weight;
@@ -2830,8 +2955,8 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = v1 * v2;
     if (weight > 0.0)
     {
-        v3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-        depth_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+        v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         depth = v3;
         edge_t = 2.0 * depth_t;
         edge = 2.0 * depth - 1.0;
@@ -2846,10 +2971,10 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         }
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
         v4 = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1));
@@ -2858,23 +2983,23 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         v7 = 1.0 - depth;
         inner_t = v4 * (-depth_t) * v7 + v6 * (-depth_t);
         inner = v6 * v7;
-        v8 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST));
+        v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
         v9 = weight * v8;
-        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
+        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
         across = v9 * inner;
-        v10 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
+        v10 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
         v11 = total - inner;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = v10 * v11;
-        v12 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
+        v12 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = v12 * total - across;
-        v13 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
+        v13 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = v13 * moment - across * depth;
-        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
-            derivative_march__add_beyond_t(tables, work, work_t, table, number, q);
+            derivative_march__add_beyond_t(tables, work, work_t, table, march, number, q);
         }
         if (q < layout__POINT_LIMIT)
         {
@@ -2888,7 +3013,7 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``add_beyond``. */
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last)
+static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
 {
     double v1;
     double depth_t;
@@ -2920,8 +3045,8 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
     double v8;
     double v9;
     double v10;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     depth = v1;
     for (q = INT64_C(0); q < last; q += INT64_C(1))
     {
@@ -2938,14 +3063,14 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
             root_t = derivative_rates__root_rate(v4, inner_t);
             root = v4;
             v5 = bound - root;
-            p_x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
-            p_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5;
+            p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
+            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5;
             v6 = bound - root;
-            p_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root_t);
-            p_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root;
+            p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t);
+            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
             derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, 0.0);
-            weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * bound;
-            weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
             v7 = cut_x - p_x;
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + (weight_t * v7 + weight * (cut_x_t - p_x_t));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + weight * v7;
@@ -4061,11 +4186,13 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     double v9;
     double v10;
     double v10_t;
+    double v11;
+    double v11_t;
     derivative_stiffness__join_strips_t(work, work_t, patch);
     derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X);
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y);
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN);
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
@@ -4087,17 +4214,20 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = along_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT)) + along * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = across_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT)) + across * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = along_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)) + along * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = across_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)) + across * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT));
         v9 = v8 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (turning_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) + turning * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) - v9 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (turning_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) + turning * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) - v9 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v9;
     }
-    derivative_stiffness__mean_share_t(&v10, &v10_t, ratio, ratio_t);
-    derivative_stiffness__spread_turning_t(work, work_t, v10, v10_t);
+    derivative_stiffness__creepage_shift_t(&v10, &v10_t, work, work_t);
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10_t;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10;
+    derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
+    derivative_stiffness__spread_turning_t(work, work_t, v11, v11_t);
     return INT64_C(0);
 }
 
@@ -4119,6 +4249,7 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
     double least;
     double v6;
     double v7;
+    double v8;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
@@ -4141,6 +4272,9 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
         v7 = sqrt(v6);
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, square_t + (least_t * least + least * least_t));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = v7;
+        v8 = (*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * ((*cspan_at(&work_t, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work_t, high + layout__ROLLING_STRIP_SLIP)));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * v8;
     }
     return INT64_C(0);
 }
@@ -4181,9 +4315,9 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
         v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
         v2 = 0.5 * v1;
         v3 = v2 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
@@ -4200,6 +4334,8 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work_t, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work_t, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP));
+        (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
         for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
         {
             other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
@@ -4246,9 +4382,9 @@ static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d table
     int64_t turning;
     derivative_stiffness__reaches_t(&near_x, &near_x_t, &near_y, &near_y_t, &near_spin, &near_spin_t, tables, table, near, near_t);
     derivative_stiffness__reaches_t(&far_x, &far_x_t, &far_y, &far_y_t, &far_spin, &far_spin_t, tables, table, far, far_t);
-    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
     (*cspan_at(&work_t, along + j)) = far_x_t - near_x_t;
     (*cspan_at(&work, along + j)) = far_x - near_x;
     (*cspan_at(&work_t, across + j)) = far_y_t - near_y_t;
@@ -4311,8 +4447,9 @@ static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, doub
 }
 
 /* Derivative of ``solve_blocks``. */
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations)
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations, int64_t sides)
 {
+    int64_t stop;
     int64_t k;
     int64_t pivot;
     double v1;
@@ -4323,46 +4460,87 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
     double factor_t;
     double factor;
     int64_t j;
+    int64_t side;
     int64_t back;
     double value_t;
     double value;
     int64_t known;
     double v2;
+    stop = layout__BLOCK_COUNT + sides;
     for (k = INT64_C(0); k < layout__BLOCK_COUNT; k += INT64_C(1))
     {
-        pivot = equations + INT64_C(9) * k;
+        pivot = equations + INT64_C(10) * k;
         v1 = 1.0 / (*cspan_at(&work, pivot + k));
         inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
         inverse = v1;
         for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
         {
-            row = equations + INT64_C(9) * i;
+            row = equations + INT64_C(10) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT + INT64_C(1); j += INT64_C(1))
+            for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
             {
                 (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
-    for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
+    for (side = layout__BLOCK_COUNT; side < stop; side += INT64_C(1))
     {
-        k = layout__BLOCK_COUNT - INT64_C(1) - back;
-        pivot = equations + INT64_C(9) * k;
-        value_t = (*cspan_at(&work_t, pivot + layout__BLOCK_COUNT));
-        value = (*cspan_at(&work, pivot + layout__BLOCK_COUNT));
-        for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
         {
-            known = equations + INT64_C(9) * j;
-            value_t = value_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, known + layout__BLOCK_COUNT)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, known + layout__BLOCK_COUNT)));
-            value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + layout__BLOCK_COUNT));
+            k = layout__BLOCK_COUNT - INT64_C(1) - back;
+            pivot = equations + INT64_C(10) * k;
+            value_t = (*cspan_at(&work_t, pivot + side));
+            value = (*cspan_at(&work, pivot + side));
+            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+            {
+                known = equations + INT64_C(10) * j;
+                value_t = value_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, known + side)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, known + side)));
+                value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
+            }
+            v2 = value / (*cspan_at(&work, pivot + k));
+            (*cspan_at(&work_t, pivot + side)) = (value_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+            (*cspan_at(&work, pivot + side)) = v2;
         }
-        v2 = value / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + layout__BLOCK_COUNT)) = (value_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + layout__BLOCK_COUNT)) = v2;
     }
     return INT64_C(0);
+}
+
+/* Derivative of ``creepage_shift``. */
+static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t)
+{
+    double missing_t;
+    double missing;
+    double stiff_t;
+    double stiff;
+    int64_t i;
+    int64_t block;
+    int64_t row;
+    double v1;
+    double area_t;
+    double area;
+    double v2;
+    missing_t = 0.0;
+    missing = 0.0;
+    stiff_t = 0.0;
+    stiff = 0.0;
+    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+        area_t = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)));
+        area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1;
+        v2 = (*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
+        missing_t = missing_t + (area_t * v2 + area * ((*cspan_at(&work_t, row + (layout__BLOCK_COUNT + INT64_C(1)))) - ((*cspan_at(&work_t, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) + (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)))));
+        missing = missing + area * v2;
+        stiff_t = stiff_t + (area_t * (*cspan_at(&work, row + layout__BLOCK_COUNT)) + area * (*cspan_at(&work_t, row + layout__BLOCK_COUNT)));
+        stiff = stiff + area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
+    }
+    (*v3) = missing / stiff;
+    (*result_1) = (missing_t - (*v3) * stiff_t) / stiff;
+    return 0;
 }
 
 /* Derivative of ``mean_share``. */
