@@ -1,7 +1,7 @@
 """Make wrcontact/kernel/data/rolling_correction.npz: ``python tools/make_rolling_correction.py``.
 
 What the exact forces of ellipses (tools/make_rolling_tables.py) differ from those of the kernel's strips by,
-at the nodes of both: force over mu N and moment over mu N sqrt(ab), in units of 1e-5.  It has to be made anew
+at the nodes of both: force over mu N and moment over mu N sqrt(ab), in units of 2e-5.  It has to be made anew
 after every change of the strips or of the exact forces, and takes a second with a compiled kernel.
 
     --check          compare with the stored file, write nothing

@@ -41,13 +41,14 @@ def uncorrected_tables(nu):
 
 
 def strip_forces(exact, nu):
-    """Force and moment by uncorrected strips at the nodes of ``exact`` (ratio, beta, alpha, rho, 3), over
-    mu N and mu N sqrt(ab)."""
+    """Force and moment by uncorrected strips at the nodes of ``exact``, over mu N and mu N sqrt(ab), and the
+    stick share (ratio, beta, alpha, rho, 4)."""
     beta, alpha, rho = np.meshgrid(exact["beta"], exact["alpha"], exact["rho"], indexing="ij")
     direction = np.stack([np.sin(beta), np.cos(beta) * np.cos(alpha), np.cos(beta) * np.sin(alpha)], axis=-1)
     bound = FRICTION * FORCE
     scale = bound / (MEAN_AXIS**2 * SHEAR_MODULUS) / np.array([1.0, 1.0, MEAN_AXIS])
-    found = np.zeros(exact["forces"].shape[:-1] + (3,))
+    found = np.zeros(exact["forces"].shape)
+    unit = np.array([bound, bound, bound * MEAN_AXIS, 1.0])
     workspace = np.zeros(layout.WORK_SIZE)
     work = layout.Work.at(workspace)
     rubbing, work.rolling.bare = work.patch, True
@@ -60,8 +61,9 @@ def strip_forces(exact, nu):
             rubbing.creepage_x, rubbing.creepage_y, rubbing.spin = creepages[place]
             rubbing.friction = FRICTION
             roll(patch, tables, workspace)
-            found[(k, *place)] = rubbing.creep_x, rubbing.creep_y, rubbing.creep_moment / MEAN_AXIS
-    return found / bound
+            found[(k, *place)] = (rubbing.creep_x, rubbing.creep_y, rubbing.creep_moment,
+                                  rubbing.stick_share)
+    return found / unit
 
 
 def strip_coefficients(tables, work, ratio):
@@ -85,7 +87,7 @@ def strip_coefficients(tables, work, ratio):
 def corrections(folder=EXACT):
     """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
     all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
-    apart = [exact["forces"][..., :3] - strip_forces(exact, nu)
+    apart = [exact["forces"] - strip_forces(exact, nu)
              for nu, exact in zip(CORRECTION_NODES, all_exact)]
     numbers = np.rint(np.array(apart) / CORRECTION_UNIT)
     if np.abs(numbers).max() > np.iinfo(np.int16).max:

@@ -5,6 +5,7 @@ creep forces, or the complete theory does (wrcontact/halfspace/rolling), with th
 """
 
 import ctypes
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +13,7 @@ from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.creep.creepage import rolling_velocity, velocity_along
+from ..kernel.creep.creepage import move_strip
 from ..kernel.creep.cut import cut_patch
 from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
@@ -42,19 +43,22 @@ class SolvedSide:
     wheel: PressedWheel
     moved: np.ndarray
 
-    def place(self, x, station):
-        """Track coordinates y, z [m] of the place x, ``station`` [m], and the wheel's rolling radius there
-        [m]; in the frame of a right wheel."""
+    def set_place(self, strip, x, station):
+        """Write where x, ``station`` [m] is into a strip, record RollingStrip: track coordinates, inclination
+        of the normal, and the wheel's rolling radius; in the frame of a right wheel."""
         surfaces = self.wheel.surfaces
         place = surfaces.place(x, station)
-        radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
-        return place[1] + self.moved[0], place[2] + self.moved[1], radius
+        angle = float(surfaces.curve.at("angle", station))
+        strip.y_track, strip.z_track = place[1:] + self.moved
+        strip.cos, strip.sin = math.cos(angle), -math.sin(angle)
+        strip.rolling_radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
 
-    def slip(self, motion, speed, x, station):
-        """Longitudinal creepage [1] at x, ``station`` [m], with the rolling ``speed`` [m/s]."""
-        y, z, radius = self.place(x, station)
-        y, z = y - motion.centre_y, z - motion.centre_z
-        return velocity_along(motion, y, z, rolling_velocity(motion, x, y, z, radius)[0]) / speed
+    def slips(self, motion, speed, x, station):
+        """Creepages [1] and spin [1/m] (3,) at x, ``station`` [m], with the rolling ``speed`` [m/s]."""
+        strip = layout.RollingStrip()
+        self.set_place(strip, x, station)
+        move_strip(motion, strip, x, 1.0 / speed)
+        return strip.slip, strip.lateral, strip.spin
 
 
 def cut_patches(side, record, strips):
@@ -67,7 +71,7 @@ def cut_patches(side, record, strips):
         for strip in patch.strips:
             middle = float(np.interp(strip.station, station, x))
             strip.x = middle - patch.x
-            strip.y_track, strip.z_track, strip.rolling_radius = side.place(middle, strip.station)
+            side.set_place(strip, middle, strip.station)
 
 
 class KernelRolling:
@@ -147,16 +151,19 @@ def sampled(edge, middles, cells):
 
 
 def row_slips(motion, side, patch, field):
-    """Longitudinal creepage of each row of a ``field`` about the centre of load, whose rolling radius is its
-    own, (ny,); reduced as the other creepages of the patch are on wet rails."""
+    """Creepages, those of spin left out, and spin of each row of a ``field`` about the centre of load, with
+    the rolling radius and the normal of its own place, (3, ny); reduced as the other creepages of the patch
+    are on wet rails."""
     load = field.pressure.sum(axis=1)
     x = np.divide(field.pressure @ field.x, load, out=np.zeros(len(load)), where=load > 0.0)
-    slip = np.array([side.slip(motion, patch.speed, patch.x + ahead, patch.totals.centroid + y)
-                     for ahead, y in zip(x, field.y)])
-    strips = np.array([(side.slip(motion, patch.speed, patch.x + strip.x, strip.station), strip.slip)
+    along, across, spin = np.transpose([side.slips(motion, patch.speed, patch.x + ahead,
+                                                   patch.totals.centroid + y)
+                                        for ahead, y in zip(x, field.y)])
+    strips = np.array([(side.slips(motion, patch.speed, patch.x + strip.x, strip.station)[0], strip.slip)
                        for strip in patch.strips])
     whole, reduced = np.abs(strips).sum(axis=0)
-    return slip * (reduced / whole) if whole > 0.0 else slip
+    factor = reduced / whole if whole > 0.0 else 1.0
+    return factor * np.array([along, across - spin * x, spin])
 
 
 def roll_fields(patch, fields, slips, **material):
@@ -166,9 +173,10 @@ def roll_fields(patch, fields, slips, **material):
     for field, slip in zip(fields, slips):
         if patch.backwards:
             field = PressureField(-field.x[::-1], field.y, field.pressure[:, ::-1], field.cover[:, ::-1])
-            slip = -slip
-        solution = rolling_contact(field.scaled(patch.totals.load), creepage_x=slip + patch.spin * field.y,
-                                   creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction,
+            slip = slip * [[-1.0], [1.0], [-1.0]]
+        along, across, spin = slip
+        solution = rolling_contact(field.scaled(patch.totals.load), creepage_x=along + spin * field.y,
+                                   creepage_y=across, spin=spin, friction=patch.friction,
                                    start=solution, **material)
         found.append(solution)
     return extrapolated(*found)

@@ -116,9 +116,8 @@ def roll_strips(patch, **material):
     """Creep force of a patch of the kernel that rolls, a :class:`~wrcontact.kernel.layout.Patch`, by the
     complete theory, into its record."""
     def solved():
-        outline, creepage_x = outline_of_strips(patch)
-        return roll_outline(outline, creepage_x=creepage_x, creepage_y=patch.creepage_y, spin=patch.spin,
-                            friction=patch.friction, **material)
+        outline, creepages = outline_of_strips(patch)
+        return roll_outline(outline, **creepages, friction=patch.friction, **material)
 
     roll_patch_forwards(patch, solved)
 
@@ -141,16 +140,16 @@ def roll_patch_forwards(patch, solved):
 
 
 def outline_of_strips(patch):
-    """The patch as an :class:`~wrcontact.halfspace.rolling.pressure.Outline`, and the longitudinal creepage
-    beside that of spin at its stations (n,).
+    """The patch as an :class:`~wrcontact.halfspace.rolling.pressure.Outline`, and by name its spin and its
+    creepages beside those of spin at the stations (n,).
 
     Over the ellipse that has the patch's ends, square of the half-length and line load follow straight lines
     between the strips: an ellipse is met exactly.
     """
     strips = list(patch.strips)
     start, stop = (strip.y + way * 0.5 * strip.width for strip, way in ((strips[0], -1), (strips[-1], 1)))
-    y, square, load, slip, x = np.array([(strip.y, strip.half_length**2, strip.line_load, strip.slip, strip.x)
-                                         for strip in strips]).T
+    y, square, load, x = np.array([(strip.y, strip.half_length**2, strip.line_load, strip.x)
+                                   for strip in strips]).T
     middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
     low, high = np.array([(strip.y - 0.5 * strip.width, strip.y + 0.5 * strip.width) for strip in strips]).T
 
@@ -165,7 +164,14 @@ def outline_of_strips(patch):
     pressure = np.divide(line, 0.5 * np.pi * half_length, out=np.zeros(STATIONS), where=half_length > 0.0)
     outline = Outline.of_stations(station, half_length, pressure, np.interp(station, y, x))
     outline = outline.scaled(patch.totals.load)
-    return outline, np.interp(station, y, slip + patch.spin * y)
+    return outline, {name: np.interp(station, y, values) for name, values in beside_spin(strips).items()}
+
+
+def beside_spin(strips):
+    """By name, the spin of strips and their creepages beside those of spin, (n,) each."""
+    y, x, slip, lateral, spin = np.array([(strip.y, strip.x, strip.slip, strip.lateral, strip.spin)
+                                          for strip in strips]).T
+    return {"creepage_x": slip + spin * y, "creepage_y": lateral - spin * x, "spin": spin}
 
 
 def share_rows(patch, found):

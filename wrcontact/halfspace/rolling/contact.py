@@ -160,11 +160,11 @@ class RollingSolution:
 def rigid_slip(field, creepage_x, creepage_y, spin, offset=SLIP_OFFSET):
     """Slip of the rigid bodies over V, (xi - phi y, eta + phi x), on the cells (2, ny, nx) [1].  (R2)
 
-    ``creepage_x`` and ``creepage_y`` are numbers or one value for each row (ny,).
+    Each of the three is a number or has one value for each row (ny,).
     """
     x, y = np.meshgrid(field.x + offset * field.steps[1], field.y)
-    creepage_x, creepage_y = (np.broadcast_to(each, len(field.y))[:, None]
-                              for each in (creepage_x, creepage_y))
+    creepage_x, creepage_y, spin = (np.broadcast_to(each, len(field.y))[:, None]
+                                    for each in (creepage_x, creepage_y, spin))
     return np.stack([creepage_x - spin * y, creepage_y + spin * x])
 
 
@@ -189,8 +189,7 @@ def rolling_contact(field, *, creepage_x, creepage_y, spin, friction, shear_modu
     Parameters
     ----------
     field : :class:`PressureField`.
-    creepage_x, creepage_y : xi, eta [1]; a number, or one for each row (ny,).
-    spin : phi [1/m].
+    creepage_x, creepage_y, spin : xi, eta [1], phi [1/m]; a number, or one for each row (ny,).
     friction : mu [1].
     shear_modulus, poisson_ratio : of both bodies [Pa], [1].
     start : :class:`RollingSolution` to start from, of the same patch on any number of cells.

@@ -98,9 +98,8 @@ def roll_outline(outline, *, creepage_x, creepage_y, spin, cells=COARSE_CELLS, s
     Parameters
     ----------
     outline : :class:`~wrcontact.halfspace.rolling.pressure.Outline`; rolling towards +x, y = station.
-    creepage_x, creepage_y : xi, eta [1]; a number, or one for each station (n,), such as
+    creepage_x, creepage_y, spin : xi, eta [1], phi [1/m]; a number, or one for each station (n,), such as
         from the rolling radius of each strip; then straight lines between the stations.
-    spin : phi [1/m].
     cells : of the coarse grid, each way.
     start : :class:`RollingForces` of the same outline at other creepages, to be faster.
     material : ``friction``, ``shear_modulus`` [Pa], ``poisson_ratio``.
@@ -114,8 +113,8 @@ def roll_outline(outline, *, creepage_x, creepage_y, spin, cells=COARSE_CELLS, s
     for count in (cells, 2 * cells):
         field = outline.on_grid(count, count)
         creepages = [each if np.ndim(each) == 0 else np.interp(field.y, outline.station, each)
-                     for each in (creepage_x, creepage_y)]
-        solution = rolling_contact(field, creepage_x=creepages[0], creepage_y=creepages[1], spin=spin,
+                     for each in (creepage_x, creepage_y, spin)]
+        solution = rolling_contact(field, creepage_x=creepages[0], creepage_y=creepages[1], spin=creepages[2],
                                    start=solution, **material)
         found.append(solution)
     return extrapolated(*found)

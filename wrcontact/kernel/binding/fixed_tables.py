@@ -16,7 +16,7 @@ FIXED = Path(__file__).parents[1] / "data" / "fixed_tables.npz"
 #: What exact forces differ from those of the strips by (tools/make_rolling_correction.py).
 CORRECTION = Path(__file__).parents[1] / "data" / "rolling_correction.npz"
 #: Unit of their numbers, of mu N and of mu N sqrt(ab).
-CORRECTION_UNIT = 1e-5
+CORRECTION_UNIT = 2e-5
 
 
 @lru_cache(maxsize=1)

@@ -1,4 +1,4 @@
-"""What the strips' force of an ellipse lacks to that of the complete theory.
+"""What the strips' force and stick share of an ellipse lack to those of the complete theory.
 
 For the ellipse with the patch's area and length over width, r = a/b, the saturation
 
@@ -7,8 +7,8 @@ For the ellipse with the patch's area and length over width, r = a/b, the satura
 
 is mirrored until s1 and s3 are not negative, and taken in polar coordinates: its length R as R / (1 + R), its
 elevation arctan(s1 / sqrt(s2^2 + s3^2)) and its azimuth arctan2(s3, s2).  Over these and ln r the table holds
-the force over mu N and the moment over mu N sqrt(ab) that are missing; between its nodes they follow straight
-lines along each coordinate.  The force is then cut to mu N.
+the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes they
+follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
 
 s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
 so the correction is continuous all over.
@@ -32,7 +32,7 @@ PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
 
 
 def correct_force(tables: Tables, patch: Patch):
-    """Add to a patch's force and moment what is missing."""
+    """Add to a patch's force, moment and stick share what is missing."""
     table = tables.rolling
     bound = patch.friction * patch.totals.load
     mean_axis = sqrt(patch.half_length * patch.half_width)
@@ -54,6 +54,8 @@ def correct_force(tables: Tables, patch: Patch):
     patch.creep_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
     patch.creep_moment += (sign_y * bound * mean_axis
                            * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
+    patch.stick_share += missing(table, at + 3, on_ratio, on_elevation, on_azimuth, on_radius)
+    patch.stick_share = min(max(patch.stick_share, 0.0), 1.0)
     force_x, force_y = cut_to(patch.creep_x, patch.creep_y, bound)
     patch.creep_x = force_x
     patch.creep_y = force_y

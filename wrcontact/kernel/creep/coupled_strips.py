@@ -47,28 +47,45 @@ from .tractions import add_strip, bound_rate, patch_area, point_weight
 LATER: Final[float] = 0.08
 #: Share of the strip over which its stick zone fades.
 FADE: Final[float] = 0.1
+#: How much a strip carries more, the more its neighbours slip; eq. (Z5).
+YIELD: Final[float] = 0.25
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
 SPREAD_FLOOR: Final[float] = 0.3
 FLOOR_RATIO: Final[float] = 4.5
 FLOOR_TWIST: Final[float] = 1.5
 
 
-def find_stick_zone(march: RollingMarch, width: float, ratio: float):
-    """Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
+def open_stick_zone(march: RollingMarch, shift: float, width: float, ratio: float):
+    """Depth and weight of a strip's stick zone as eq. (Z2) first has them, and the strip's share of linear
+    theory, into its march; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
     ``ratio`` the patch's a/b."""
     a = march.half_length
     inverse = 1.0 / march.rate
-    u = -march.along * march.slip * inverse
-    v = -march.across * march.lateral * inverse
-    k = -march.turning * march.spin * inverse
-    spread = spread_square(march, width * inverse, k, ratio)
-    depth, first_weight = slip_depth(u * u + spread, v, k, a)
-    share = later_share(depth / a, ratio)
-    u *= share
-    v *= share
-    k *= share
-    depth, weight = slip_depth(u * u + share * share * spread, v, k, a)
-    weight = min(weight, first_weight)
+    march.stick_x = -march.along * (march.slip + shift) * inverse
+    march.stick_y = -march.across * march.lateral * inverse
+    march.twist = -march.turning * march.spin * inverse
+    march.spread = spread_square(march, width * inverse, march.twist, ratio)
+    depth, weight = slip_depth(march.stick_x * march.stick_x + march.spread, march.stick_y, march.twist, a)
+    march.depth = depth
+    march.weight = weight
+    march.carried = 1.0
+    if depth < a:
+        march.carried = 1.0 - 0.5 * depth / a
+    else:
+        march.carried = 0.5 * a / depth
+
+
+def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
+    """Depth, direction and weight of a strip's stick zone, into its march; ``mean`` is the patch's share of
+    linear theory."""
+    a = march.half_length
+    share = later_share(march.depth / a, ratio)
+    push = share * (1.0 + YIELD * (march.carried - mean) / max(march.carried, mean))
+    u = push * march.stick_x
+    v = push * march.stick_y
+    k = share * march.twist
+    depth, weight = slip_depth(u * u + share * share * march.spread, v, k, a)
+    weight = min(weight, march.weight)
     march.depth = a
     march.weight = 0.0
     march.twist = k
@@ -154,24 +171,39 @@ def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
 
 def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """What the strips add up to, without correction."""
-    march = rolling.march
     marches = rolling.marches
     ratio = patch.half_length / patch.half_width
     plane, spinning = flexibilities(patch)
     open_marches(marches, ratio)
+    mean = open_stick_zones(rolling, patch, ratio)
     stuck = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
-        strip = patch.strips[i]
-        rate = bound_rate(patch, strip)
-        if rate > 0.0:
-            begin_march(rolling, patch, strip, rate, i)
-            find_stick_zone(march, strip.width, ratio)
+        march = rolling.begun[i]
+        if march.rate > 0.0:
+            find_stick_zone(march, mean, ratio)
             set_pushes(march, marches, i, plane, spinning, ratio)
             set_stick(tables.rolling, march, marches, i)
-            stuck += 2.0 * (march.half_length - march.depth) * march.weight * strip.width
+            stuck += 2.0 * (march.half_length - march.depth) * march.weight * patch.strips[i].width
     march_strips(tables.rolling, marches)
     finish_marches(rolling, patch)
     patch.stick_share = stuck / patch_area(patch)
+
+
+def open_stick_zones(rolling: Rolling, patch: Patch, ratio: float):
+    """The strips' stick zones as they first are; the mean of their shares of linear theory."""
+    carried = 0.0
+    whole = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        march = rolling.begun[i]
+        march.rate = bound_rate(patch, strip)
+        if march.rate > 0.0:
+            begin_march(rolling, march, strip, i)
+            open_stick_zone(march, rolling.shift, strip.width, ratio)
+            weight = march.along * march.half_length * strip.width
+            whole += weight
+            carried += weight * march.carried
+    return carried / (whole + NOTHING)
 
 
 def flexibilities(patch: Patch):
@@ -188,14 +220,12 @@ def flexibilities(patch: Patch):
     return 0.5 * pi * first / second, 0.75 * pi * second / third
 
 
-def begin_march(rolling: Rolling, patch: Patch, strip: RollingStrip, rate: float, index: int):
-    """Creepages and stiffnesses of a strip."""
-    march = rolling.march
+def begin_march(rolling: Rolling, march: RollingMarch, strip: RollingStrip, index: int):
+    """Creepages and stiffnesses of a strip, into its ``march``."""
     march.half_length = strip.half_length
-    march.rate = rate
     march.slip = strip.slip
-    march.lateral = patch.creepage_y + patch.spin * strip.x
-    march.spin = patch.spin
+    march.lateral = strip.lateral
+    march.spin = strip.spin
     along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
     march.along = along
     march.across = across

@@ -44,5 +44,6 @@ def mirror_rolling(patch: Patch):
         strip = patch.strips[i]
         strip.x = -strip.x
         strip.slip = -strip.slip
+        strip.spin = -strip.spin
         strip.force_x = -strip.force_x
         strip.moment = -strip.moment

@@ -11,7 +11,7 @@ rail to the wheel and y_p = e_x x n, which points to the field side,
     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
 
-The left wheel is mirrored.
+The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
 
 The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
 circumference that it has when it carries nothing, however deep it is pressed.
@@ -20,7 +20,7 @@ circumference that it has when it carries nothing, however deep it is pressed.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import ROLLING_STRIP_LIMIT, Motion, Patch
+from ..layout import ROLLING_STRIP_LIMIT, Motion, Patch, RollingStrip
 
 #: A wheel that rolls more slowly than this [m/s] stands still and has no creepages: a micrometre a second.
 STANDSTILL: Final[float] = 1e-6
@@ -56,15 +56,31 @@ def move_patch(motion: Motion, patch: Patch):
 
 
 def move_strips(motion: Motion, patch: Patch):
-    """Longitudinal creepages of the strips of a patch that rolls, each with its own rolling radius."""
+    """Creepages and spin of the strips of a patch that rolls."""
     for index in range(ROLLING_STRIP_LIMIT):
-        strip = patch.strips[index]
-        y = strip.y_track - motion.centre_y
-        z = strip.z_track - motion.centre_z
-        rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, patch.x_track + strip.x, y, z,
-                                                                  strip.rolling_radius)
-        strip.slip = velocity_along(motion, y, z, rolling_x) / patch.speed
-        strip.radius_share = share
+        move_strip(motion, patch.strips[index], patch.x_track, 1.0 / patch.speed)
+
+
+def move_strip(motion: Motion, strip: RollingStrip, x_track: float, inverse: float):
+    """Creepages and spin of a strip, with its own rolling radius and its own normal; its patch is at
+    ``x_track`` [m] and rolls at the speed 1/``inverse`` [m/s]."""
+    rail = motion.rail
+    x = x_track + strip.x
+    y = strip.y_track - motion.centre_y
+    z = strip.z_track - motion.centre_z
+    rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, x, y, z, strip.rolling_radius)
+    turn_z = motion.turn_z + motion.track_rate
+    along = motion.speed - motion.track_rate * motion.centre_y - turn_z * y + motion.turn_y * z - rolling_x
+    roll = motion.turn_x - rail.roll
+    lateral = (motion.lateral - rail.lateral + rail.roll * (motion.centre_z - rail.z)
+               + turn_z * x - roll * z - rolling_y)
+    vertical = (motion.vertical - rail.vertical - rail.roll * (motion.centre_y - rail.y)
+                + roll * y - motion.turn_y * x - rolling_z)
+    strip.slip = along * inverse
+    strip.lateral = (strip.cos * lateral + strip.sin * vertical) * inverse
+    strip.spin = (strip.cos * (turn_z - motion.wheel_rate * motion.axle_z)
+                  - strip.sin * (motion.turn_y - motion.wheel_rate * motion.axle_y)) * inverse
+    strip.radius_share = share
 
 
 def rolling_velocity(motion: Motion, x: float, y: float, z: float, radius: float):

@@ -163,7 +163,9 @@ def finish_strips(patch: Patch):
 
 
 def plane_slips(patch: Patch):
-    """Longitudinal creepage of each strip where the patch is plane and all of it turns at one rate."""
+    """Creepages and spin of each strip where the patch is plane and all of it turns at one rate."""
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         strip.slip = patch.creepage_x - patch.spin * strip.y
+        strip.lateral = patch.creepage_y + patch.spin * strip.x
+        strip.spin = patch.spin

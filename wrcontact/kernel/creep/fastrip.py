@@ -35,11 +35,11 @@ def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
         if rate > 0.0:
             march.half_length = strip.half_length
             march.rate = rate
-            lateral = patch.creepage_y + patch.spin * strip.x
-            find_stick(march, longitudinal(tables, rolling, patch, strip), lateral, patch.spin)
+            slanted = strip.spin * strip.x
+            find_stick(march, longitudinal(tables, rolling, patch, strip), strip.lateral, strip.spin)
             march.push_x = strip_push(rolling, patch, strip, along, turning)
-            march.push_y = patch.creepage_y * across + patch.spin * strip.x * turning
-            march.push_turn = patch.spin * turning
+            march.push_y = (strip.lateral - slanted) * across + slanted * turning
+            march.push_turn = strip.spin * turning
             add_tractions(tables.rolling, patch, march, strip)
             stuck += 2.0 * (march.half_length - march.depth) * strip.width
     patch.max_shear = sqrt(march.largest)

@@ -56,8 +56,9 @@ def march_strip(table: RollingTable, patch: Patch, strip: RollingStrip, rate: fl
                 across: float, turning: float):
     """Add a strip's force from its tractions; the area that sticks [m^2]."""
     a = strip.half_length
-    lateral = patch.creepage_y * across + patch.spin * strip.x * turning
-    turn = patch.spin * turning
+    slanted = strip.spin * strip.x
+    lateral = (strip.lateral - slanted) * across + slanted * turning
+    turn = strip.spin * turning
     before = a
     p_x = 0.0
     p_y = 0.0

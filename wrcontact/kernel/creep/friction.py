@@ -12,9 +12,10 @@ Friction takes power: where a model would give some back, its moment is changed.
 
 In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
 
-    P = -(xi F_x + eta F_y + phi M + sum_i (w_i - xi + phi y_i) F_x,i)                             (W1)
+    P = -(xi F_x + eta F_y + phi M + sum_i [(w_x,i - xi + phi y_i) F_x,i
+                                            + (w_y,i - phi_i x_i - eta) F_y,i + (phi_i - phi) M_i]) (W1)
 
-with the longitudinal creepages w_i of the strips.  The complete theory has P >= 0, and so have the models
+with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the models
 almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment makes P
 negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
 """
@@ -80,6 +81,8 @@ def multiply_creepages(patch: Patch, factor: float):
     for index in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[index]
         strip.slip *= factor
+        strip.lateral *= factor
+        strip.spin *= factor
 
 
 def is_frictional(friction: float, limit: float) -> bool:
@@ -108,5 +111,7 @@ def creep_gain(patch: Patch):
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         plane = patch.creepage_x - patch.spin * strip.y
-        gain += (strip.slip - plane) * strip.force_x * strip.width
+        lateral = strip.lateral - strip.spin * strip.x - patch.creepage_y
+        gain += ((strip.slip - plane) * strip.force_x + lateral * strip.force_y
+                 + (strip.spin - patch.spin) * strip.moment) * strip.width
     return gain

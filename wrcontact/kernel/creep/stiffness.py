@@ -43,9 +43,9 @@ def find_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
     blocks = rolling.blocks
     join_strips(rolling, patch)
     fill_equations(tables.rolling, rolling)
-    solve_blocks(rolling.equations_x)
-    solve_blocks(rolling.equations_y)
-    solve_blocks(rolling.equations_spin)
+    solve_blocks(rolling.equations_x, 2)
+    solve_blocks(rolling.equations_y, 1)
+    solve_blocks(rolling.equations_spin, 1)
     ratio = patch.half_length / patch.half_width
     place = shape_place(ratio)
     half = 0.5 * tables.shear_modulus
@@ -57,6 +57,7 @@ def find_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
         block.along = along * rolling.equations_x[i][BLOCK_COUNT]
         block.across = across * rolling.equations_y[i][BLOCK_COUNT]
         block.turning = turning * rolling.equations_spin[i][BLOCK_COUNT] / block.half_length
+    rolling.shift = creepage_shift(rolling)
     spread_turning(blocks, mean_share(ratio))
 
 
@@ -72,6 +73,7 @@ def join_strips(rolling: Rolling, patch: Patch):
                   + high.half_length * high.half_length * high.width) / (block.stop - block.start)
         least = SHORT * patch.half_length
         block.half_length = sqrt(square + least * least)
+        block.slip = 0.5 * (low.slip + high.slip)
 
 
 def fill_equations(table: RollingTable, rolling: Rolling):
@@ -88,6 +90,7 @@ def fill_equations(table: RollingTable, rolling: Rolling):
         along[BLOCK_COUNT] = 1.0
         across[BLOCK_COUNT] = 1.0
         turning[BLOCK_COUNT] = block.half_length
+        along[BLOCK_COUNT + 1] = block.slip
         for j in range(i + 1, BLOCK_COUNT):
             other = rolling.blocks[j]
             scale = 1.0 / sqrt(0.5 * (block.half_length * block.half_length
@@ -126,24 +129,41 @@ def reach_cubic(table: RollingTable, at: int, u: float):
     return table.reaches[at] + u * (table.reaches[at + 1] + u * high)
 
 
-def solve_blocks(equations: BlockMatrix):
-    """Solve in place by Gauss, without exchange of rows: the kernel is positive, largest on the diagonal."""
+def solve_blocks(equations: BlockMatrix, sides: int):
+    """Solve in place by Gauss, for so many right-hand ``sides``, without exchange of rows: the kernel is
+    positive, largest on the diagonal."""
+    stop = BLOCK_COUNT + sides
     for k in range(BLOCK_COUNT):
         pivot = equations[k]
         inverse = 1.0 / pivot[k]
         for i in range(k + 1, BLOCK_COUNT):
             row = equations[i]
             factor = row[k] * inverse
-            for j in range(k + 1, BLOCK_COUNT + 1):
+            for j in range(k + 1, stop):
                 row[j] -= factor * pivot[j]
-    for back in range(BLOCK_COUNT):
-        k = BLOCK_COUNT - 1 - back
-        pivot = equations[k]
-        value = pivot[BLOCK_COUNT]
-        for j in range(k + 1, BLOCK_COUNT):
-            known = equations[j]
-            value -= pivot[j] * known[BLOCK_COUNT]
-        pivot[BLOCK_COUNT] = value / pivot[k]
+    for side in range(BLOCK_COUNT, stop):
+        for back in range(BLOCK_COUNT):
+            k = BLOCK_COUNT - 1 - back
+            pivot = equations[k]
+            value = pivot[side]
+            for j in range(k + 1, BLOCK_COUNT):
+                known = equations[j]
+                value -= pivot[j] * known[side]
+            pivot[side] = value / pivot[k]
+
+
+def creepage_shift(rolling: Rolling):
+    """The longitudinal creepage that strips with K1 w_x lack for the force of eq. (K1) with their own
+    creepages; eq. (K4)."""
+    missing = 0.0
+    stiff = 0.0
+    for i in range(BLOCK_COUNT):
+        block = rolling.blocks[i]
+        row = rolling.equations_x[i]
+        area = block.half_length * (block.stop - block.start)
+        missing += area * (row[BLOCK_COUNT + 1] - row[BLOCK_COUNT] * block.slip)
+        stiff += area * row[BLOCK_COUNT]
+    return missing / stiff
 
 
 def mean_share(ratio: float):

@@ -13,14 +13,16 @@ static inline double correction__missing(array_double_1d tables, int64_t table, 
 static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/coupled_strips.py */
-static inline double coupled_strips__spread_square(array_double_1d work, double scale, double k, double ratio);
+static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio);
 static inline double coupled_strips__smooth_step(double z);
 static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
+static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio);
 static inline double coupled_strips__later_share(double depth, double ratio);
-static inline double coupled_strips__edge_weight(array_double_1d work);
-static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, double width, double ratio);
+static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march);
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio);
 static inline int64_t coupled_strips__flexibilities(double* result_0, double* result_1, array_double_1d work, int64_t patch);
-static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t patch, int64_t strip, double rate, int64_t index);
+static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index);
+static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio);
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
@@ -34,6 +36,7 @@ static inline int64_t creepage__rolling_velocity(double* result_0, double* resul
 static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse);
 static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
 
@@ -49,11 +52,11 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
 static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
 
 /* creep/fastrip.py */
-static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march);
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t fastrip__find_stick(array_double_1d work, double push, double lateral, double spin);
-static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, double x, double bound);
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip);
+static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin);
+static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, int64_t march, double x, double bound);
+static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/fastsim.py */
@@ -73,9 +76,9 @@ static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t p
 
 /* creep/march.py */
 static inline int64_t march__open_marches(array_double_1d work, double ratio);
-static inline int64_t march__set_pushes(array_double_1d work, int64_t number, double plane, double spinning, double ratio);
-static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t number, int64_t last);
-static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t number);
+static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio);
+static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last);
+static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number);
 static inline bool march__has_slip(array_double_1d work);
 static inline double march__sqrt_of(double value);
 static inline int64_t march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
@@ -116,7 +119,8 @@ static inline double stiffness__reach_cubic(array_double_1d tables, int64_t tabl
 static inline int64_t stiffness__reaches(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double distance);
 static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t j, double near, double far);
 static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table);
-static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations);
+static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides);
+static inline double stiffness__creepage_shift(array_double_1d work);
 static inline double stiffness__mean_share(double ratio);
 static inline double stiffness__not_below(double value, double least);
 static inline int64_t stiffness__spread_turning(array_double_1d work, double share);
@@ -136,7 +140,7 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
 
 /* ---- From creep/correction.py; change that one.
  *
- * What the strips' force of an ellipse lacks to that of the complete theory.
+ * What the strips' force and stick share of an ellipse lack to those of the complete theory.
  *
  * For the ellipse with the patch's area and length over width, r = a/b, the saturation
  *
@@ -145,14 +149,14 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
  *
  * is mirrored until s1 and s3 are not negative, and taken in polar coordinates: its length R as R / (1 + R), its
  * elevation arctan(s1 / sqrt(s2^2 + s3^2)) and its azimuth arctan2(s3, s2).  Over these and ln r the table holds
- * the force over mu N and the moment over mu N sqrt(ab) that are missing; between its nodes they follow straight
- * lines along each coordinate.  The force is then cut to mu N.
+ * the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes they
+ * follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
  *
  * s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
  * so the correction is continuous all over.
  */
 
-/* Add to a patch's force and moment what is missing. */
+/* Add to a patch's force, moment and stick share what is missing. */
 static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch)
 {
     int64_t table;
@@ -194,6 +198,8 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, on_radius);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) += sign_y * bound * correction__missing(tables, table, at + INT64_C(1), on_ratio, on_elevation, on_azimuth, on_radius);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) += sign_y * bound * mean_axis * correction__missing(tables, table, at + INT64_C(2), on_ratio, on_elevation, on_azimuth, on_radius);
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) += correction__missing(tables, table, at + INT64_C(3), on_ratio, on_elevation, on_azimuth, on_radius);
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = double_min(2, double_max(2, (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)), 0.0), 1.0);
     tractions__cut_to(&force_x, &force_y, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), bound);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = force_y;
@@ -343,61 +349,85 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  * of which the first two count only for k^2 > 1, the first only for v k < 0.
  */
 
-/* Depth, direction and weight of a strip's stick zone, into its march; ``width`` [m] is the strip's,
+/* Depth and weight of a strip's stick zone as eq. (Z2) first has them, and the strip's share of linear
+ * theory, into its march; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
  * ``ratio`` the patch's a/b.
  */
-static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, double width, double ratio)
+static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio)
 {
     double a;
     double inverse;
+    double depth;
+    double weight;
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    inverse = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG))) * ((*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift) * inverse;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * inverse;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * inverse;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = coupled_strips__spread_square(work, march, width * inverse, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), ratio);
+    coupled_strips__slip_depth(&depth, &weight, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), a);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0;
+    if (depth < a)
+    {
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0 - 0.5 * depth / a;
+    }
+    else
+    {
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 0.5 * a / depth;
+    }
+    return INT64_C(0);
+}
+
+/* Depth, direction and weight of a strip's stick zone, into its march; ``mean`` is the patch's share of
+ * linear theory.
+ */
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio)
+{
+    double a;
+    double share;
+    double push;
     double u;
     double v;
     double k;
-    double spread;
     double depth;
-    double first_weight;
-    double share;
     double weight;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    inverse = 1.0 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    u = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * inverse;
-    v = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * inverse;
-    k = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * inverse;
-    spread = coupled_strips__spread_square(work, width * inverse, k, ratio);
-    coupled_strips__slip_depth(&depth, &first_weight, u * u + spread, v, k, a);
-    share = coupled_strips__later_share(depth / a, ratio);
-    u *= share;
-    v *= share;
-    k *= share;
-    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * spread, v, k, a);
-    weight = double_min(2, weight, first_weight);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    share = coupled_strips__later_share((*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a, ratio);
+    push = share * (1.0 + coupled_strips__YIELD * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean));
+    u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+    v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+    k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), v, k, a);
+    weight = double_min(2, weight, (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if ((weight > 0.0) && (depth < a))
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = u / (depth + march__NOTHING);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + march__NOTHING) + k;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = u / (depth + march__NOTHING);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + march__NOTHING) + k;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work, march);
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
     return INT64_C(0);
 }
 
 /* s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m. */
-static inline double coupled_strips__spread_square(array_double_1d work, double scale, double k, double ratio)
+static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio)
 {
     double over_width;
     double twist;
     double long_0001;
     double floor;
-    over_width = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * scale;
+    over_width = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * scale;
     twist = double_min(2, fabs(k), coupled_strips__FLOOR_TWIST);
     long_0001 = double_min(2, ratio / coupled_strips__FLOOR_RATIO, 1.0);
-    floor = coupled_strips__SPREAD_FLOOR * long_0001 * twist * twist * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = coupled_strips__SPREAD_FLOOR * long_0001 * twist * twist * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return over_width * over_width / 6.0 + floor * floor;
 }
 
@@ -455,18 +485,18 @@ static inline double coupled_strips__later_share(double depth, double ratio)
 }
 
 /* The second factor of eq. (Z5). */
-static inline double coupled_strips__edge_weight(array_double_1d work)
+static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march)
 {
     double t;
     double along;
     double across;
     double weight;
     weight = 1.0;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
     {
-        t = sqrt(1.0 - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)));
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (1.0 - t);
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (1.0 - t) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t;
+        t = sqrt(1.0 - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)));
+        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (1.0 - t);
+        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (1.0 - t) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
         weight = 1.0 - coupled_strips__smooth_step(sqrt(along * along + across * across) - 1.0);
     }
     return weight;
@@ -506,31 +536,58 @@ static inline int64_t coupled_strips__add_strips(array_double_1d work, array_dou
     double ratio;
     double plane;
     double spinning;
+    double mean;
     double stuck;
     int64_t i;
-    int64_t strip;
-    double rate;
+    int64_t march;
     ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     coupled_strips__flexibilities(&plane, &spinning, work, patch);
     march__open_marches(work, ratio);
+    mean = coupled_strips__open_stick_zones(work, patch, ratio);
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        rate = tractions__bound_rate(work, patch, strip);
-        if (rate > 0.0)
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
         {
-            coupled_strips__begin_march(work, patch, strip, rate, i);
-            coupled_strips__find_stick_zone(work, (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), ratio);
-            march__set_pushes(work, i, plane, spinning, ratio);
-            march__set_stick(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), i);
-            stuck += 2.0 * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            coupled_strips__find_stick_zone(work, march, mean, ratio);
+            march__set_pushes(work, march, i, plane, spinning, ratio);
+            march__set_stick(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, i);
+            stuck += 2.0 * ((*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
     }
     march__march_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
     coupled_strips__finish_marches(work, patch);
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = stuck / tractions__patch_area(work, patch);
     return INT64_C(0);
+}
+
+/* The strips' stick zones as they first are; the mean of their shares of linear theory. */
+static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio)
+{
+    double carried;
+    double whole;
+    int64_t i;
+    int64_t strip;
+    int64_t march;
+    double weight;
+    carried = 0.0;
+    whole = 0.0;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = tractions__bound_rate(work, patch, strip);
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        {
+            coupled_strips__begin_march(work, march, strip, i);
+            coupled_strips__open_stick_zone(work, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), ratio);
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            whole += weight;
+            carried += weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+        }
+    }
+    return carried / (whole + march__NOTHING);
 }
 
 /* i1/K1 and i3/K3 [1/m] of eq. (M3). */
@@ -558,21 +615,20 @@ static inline int64_t coupled_strips__flexibilities(double* result_0, double* re
     return 0;
 }
 
-/* Creepages and stiffnesses of a strip. */
-static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t patch, int64_t strip, double rate, int64_t index)
+/* Creepages and stiffnesses of a strip, into its ``march``. */
+static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index)
 {
     double along;
     double across;
     double turning;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
     stiffness__stiffnesses_at(&along, &across, &turning, work, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = turning;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
     return INT64_C(0);
 }
 
@@ -663,6 +719,7 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
     }
@@ -685,7 +742,7 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  *     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
  *     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
  *
- * The left wheel is mirrored.
+ * The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
@@ -734,26 +791,49 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
     return INT64_C(0);
 }
 
-/* Longitudinal creepages of the strips of a patch that rolls, each with its own rolling radius. */
+/* Creepages and spin of the strips of a patch that rolls. */
 static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t index;
-    int64_t strip;
+    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    {
+        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+    }
+    return INT64_C(0);
+}
+
+/* Creepages and spin of a strip, with its own rolling radius and its own normal; its patch is at
+ * ``x_track`` [m] and rolls at the speed 1/``inverse`` [m/s].
+ */
+static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse)
+{
+    int64_t rail;
+    double x;
     double y;
     double z;
     double rolling_x;
     double rolling_y;
     double rolling_z;
     double share;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)), y, z, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = creepage__velocity_along(work, motion, y, z, rolling_x) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    }
+    double turn_z;
+    double along;
+    double roll;
+    double lateral;
+    double vertical;
+    rail = motion + layout__MOTION_RAIL;
+    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
+    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
+    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
+    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z))) + turn_z * x - roll * z - rolling_y;
+    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y))) + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical) * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z))) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)))) * inverse;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
     return INT64_C(0);
 }
 
@@ -1065,7 +1145,7 @@ static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch)
     return INT64_C(0);
 }
 
-/* Longitudinal creepage of each strip where the patch is plane and all of it turns at one rate. */
+/* Creepages and spin of each strip where the patch is plane and all of it turns at one rate. */
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 {
     int64_t i;
@@ -1074,6 +1154,8 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
     }
     return INT64_C(0);
 }
@@ -1107,9 +1189,9 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
     int64_t i;
     int64_t strip;
     double rate;
-    double lateral;
+    double slanted;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
-    fastrip__set_stiffnesses(work, tables, patch);
+    fastrip__set_stiffnesses(work, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
@@ -1120,12 +1202,12 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
         {
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-            fastrip__find_stick(work, fastrip__longitudinal(work, tables, patch, strip), lateral, (*cspan_at(&work, patch + layout__PATCH_SPIN)));
+            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+            fastrip__find_stick(work, layout__WORK_ROLLING + layout__ROLLING_MARCH, fastrip__longitudinal(work, tables, patch, strip), (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = fastsim__strip_push(work, patch, strip, along, turning);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
-            fastrip__add_tractions(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip);
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
+            fastrip__add_tractions(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
             stuck += 2.0 * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
@@ -1135,7 +1217,7 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
 }
 
 /* K1, K2, K3 of all strips; eq. (A1). */
-static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch)
+static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march)
 {
     double ratio;
     double first;
@@ -1145,9 +1227,9 @@ static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_doubl
     ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
     modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = 2.0 * first * modulus / (M_PI * M_PI);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second * modulus / (M_PI * M_PI);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * first * modulus / (M_PI * M_PI);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second * modulus / (M_PI * M_PI);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
     return INT64_C(0);
 }
 
@@ -1164,7 +1246,7 @@ static inline double fastrip__longitudinal(array_double_1d work, array_double_1d
 }
 
 /* Depth of the slip zone and direction of the stick zone of a strip; ``push`` = K1 w_x. */
-static inline int64_t fastrip__find_stick(array_double_1d work, double push, double lateral, double spin)
+static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin)
 {
     double u;
     double v;
@@ -1174,13 +1256,13 @@ static inline int64_t fastrip__find_stick(array_double_1d work, double push, dou
     double spread;
     double depth;
     double root;
-    u = (-push) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    v = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * lateral / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    k = (-(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * spin / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    u = (-push) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS))) * lateral / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    k = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING))) * spin / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     rest = 1.0 - k * k;
     cross = v * k;
     spread = v * v + rest * u * u;
-    depth = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     if (rest > 0.0)
     {
         root = sqrt(spread);
@@ -1196,22 +1278,22 @@ static inline int64_t fastrip__find_stick(array_double_1d work, double push, dou
     {
         depth = (u * u + v * v) / (sqrt(spread) - cross);
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if (depth < (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)))
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = u / (depth + 1e-300);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + 1e-300) + k;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = u / (depth + 1e-300);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + 1e-300) + k;
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return INT64_C(0);
 }
 
 /* Add a strip's force from its tractions at the points. */
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip)
+static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
     double a;
     int64_t q;
@@ -1221,33 +1303,33 @@ static inline int64_t fastrip__add_tractions(array_double_1d tables, array_doubl
     double p_y;
     double square;
     double weight;
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = a;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        fastrip__next_traction(&p_x, &p_y, work, x, bound);
+        bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        fastrip__next_traction(&p_x, &p_y, work, march, x, bound);
         square = p_x * p_x + p_y * p_y;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)), square);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x * p_y;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)), square);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x * p_y;
     }
     weight = tractions__point_weight(work, strip);
-    tractions__add_strip(work, patch, strip, weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)));
+    tractions__add_strip(work, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)));
     return INT64_C(0);
 }
 
 /* The traction at the next point ``x``: that of strip theory in the stick zone, the bound in FASTSIM's
  * direction behind it.
  */
-static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, double x, double bound)
+static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, int64_t march, double x, double bound)
 {
     double step;
     double across;
@@ -1255,18 +1337,18 @@ static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_dou
     double inner;
     double root;
     double size;
-    step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) - x;
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * (x + 0.5 * step);
-    tractions__cut_to(p_x, p_y, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) - step * across, bound);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = x;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    reach = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    inner = reach * reach - (x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)));
+    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x + 0.5 * step);
+    tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, bound);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
+    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    inner = reach * reach - (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)));
     if (inner > 0.0)
     {
-        root = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * sqrt(inner);
-        tractions__cut_to(p_x, p_y, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (bound - root), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root, bound);
+        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * sqrt(inner);
+        tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, bound);
     }
     else
     {
@@ -1365,6 +1447,7 @@ static inline double fastsim__strip_push(array_double_1d work, int64_t patch, in
 static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
 {
     double a;
+    double slanted;
     double lateral;
     double turn;
     double before;
@@ -1385,8 +1468,9 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     double square;
     double result;
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * turning;
-    turn = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    lateral = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
+    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
     before = a;
     p_x = 0.0;
     p_y = 0.0;
@@ -1440,9 +1524,10 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *
  * In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
  *
- *     P = -(xi F_x + eta F_y + phi M + sum_i (w_i - xi + phi y_i) F_x,i)                             (W1)
+ *     P = -(xi F_x + eta F_y + phi M + sum_i [(w_x,i - xi + phi y_i) F_x,i
+ *                                             + (w_y,i - phi_i x_i - eta) F_y,i + (phi_i - phi) M_i]) (W1)
  *
- * with the longitudinal creepages w_i of the strips.  The complete theory has P >= 0, and so have the models
+ * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the models
  * almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment makes P
  * negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
  */
@@ -1523,6 +1608,8 @@ static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) *= factor;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) *= factor;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) *= factor;
     }
     return INT64_C(0);
 }
@@ -1561,13 +1648,15 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
     int64_t i;
     int64_t strip;
     double plane;
+    double lateral;
     double gain;
     gain = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        gain += ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+        gain += (((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return gain;
 }
@@ -1625,7 +1714,7 @@ static inline int64_t march__open_marches(array_double_1d work, double ratio)
 /* What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
  * ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b.
  */
-static inline int64_t march__set_pushes(array_double_1d work, int64_t number, double plane, double spinning, double ratio)
+static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio)
 {
     double i1;
     double i2;
@@ -1642,16 +1731,16 @@ static inline int64_t march__set_pushes(array_double_1d work, int64_t number, do
     double along;
     double across;
     double turning;
-    i1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane;
-    i2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane;
-    i3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning;
-    s = 3.0 * M_PI / 32.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
+    i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
+    i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
+    i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
+    s = 3.0 * M_PI / 32.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
+    y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
     z = s * s;
     centre = (x * i1 + y * i2 + z * i3 + march__NOTHING * i1) / (x + y + z + march__NOTHING);
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
-    scale = 4.0 / ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)));
+    scale = 4.0 / ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)));
     near = 1.0 / (1.0 + scale * fills / (march__FILLS * march__FILLS));
     i1 = centre + (i1 - centre) * near;
     i2 = centre + (i2 - centre) * near;
@@ -1659,9 +1748,9 @@ static inline int64_t march__set_pushes(array_double_1d work, int64_t number, do
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
     lag = march__LAG + march__LONG_LAG * ratio / (ratio + march__LAG_RATIO);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = lag / (1.0 + scale * fills / (march__LAG_FILLS * march__LAG_FILLS));
-    along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    turning = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    along = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
@@ -1674,7 +1763,7 @@ static inline int64_t march__set_pushes(array_double_1d work, int64_t number, do
 /* Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
  * points before the edge; the first point behind the edge takes note of the strip.
  */
-static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t number)
+static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number)
 {
     double weight;
     double depth;
@@ -1684,12 +1773,12 @@ static inline int64_t march__set_stick(array_double_1d tables, array_double_1d w
     int64_t q;
     double inner;
     double across;
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
+    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = (1.0 - weight) * (1.0 - weight);
     if (weight > 0.0)
     {
-        depth = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         edge = 2.0 * depth - 1.0;
         total = 0.0;
         moment = 0.0;
@@ -1701,17 +1790,17 @@ static inline int64_t march__set_stick(array_double_1d tables, array_double_1d w
             q += INT64_C(1);
         }
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
         inner = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1)) * (1.0 - depth) * (1.0 - depth);
-        across = weight * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST))) * inner;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (total - inner);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * total - across;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * moment - across * depth;
-        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+        across = weight * ((*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST))) * inner;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (total - inner);
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * total - across;
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * moment - across * depth;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
-            march__add_beyond(tables, work, table, number, q);
+            march__add_beyond(tables, work, table, march, number, q);
         }
         if (q < layout__POINT_LIMIT)
         {
@@ -1723,7 +1812,7 @@ static inline int64_t march__set_stick(array_double_1d tables, array_double_1d w
 }
 
 /* Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``. */
-static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t number, int64_t last)
+static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last)
 {
     double depth;
     int64_t q;
@@ -1736,7 +1825,7 @@ static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d 
     double cut_x;
     double cut_y;
     double weight;
-    depth = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     for (q = INT64_C(0); q < last; q += INT64_C(1))
     {
         bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
@@ -1745,10 +1834,10 @@ static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d 
         if (inner > 0.0)
         {
             root = sqrt(inner);
-            p_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (bound - root);
-            p_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root;
+            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root);
+            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
             tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
-            weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) += weight * (cut_x - p_x);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) += weight * (cut_y - p_y);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) += weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * (cut_y - p_y);
@@ -2429,9 +2518,9 @@ static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_do
     int64_t block;
     stiffness__join_strips(work, patch);
     stiffness__fill_equations(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X);
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y);
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN);
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
     ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     place = tractions__shape_place(ratio);
     half = 0.5 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
@@ -2441,10 +2530,11 @@ static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_do
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
     }
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = stiffness__creepage_shift(work);
     stiffness__spread_turning(work, stiffness__mean_share(ratio));
     return INT64_C(0);
 }
@@ -2468,6 +2558,7 @@ static inline int64_t stiffness__join_strips(array_double_1d work, int64_t patch
         square = ((*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH))) / ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
         least = stiffness__SHORT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = sqrt(square + least * least);
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * ((*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP)));
     }
     return INT64_C(0);
 }
@@ -2490,9 +2581,9 @@ static inline int64_t stiffness__fill_equations(array_double_1d tables, array_do
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
         stiffness__reaches(&x, &y, &spin, tables, table, 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
         (*cspan_at(&work, along + i)) = 2.0 * x;
         (*cspan_at(&work, across + i)) = 2.0 * y;
@@ -2500,6 +2591,7 @@ static inline int64_t stiffness__fill_equations(array_double_1d tables, array_do
         (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
         for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
         {
             other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
@@ -2527,9 +2619,9 @@ static inline int64_t stiffness__reach_beside(array_double_1d tables, array_doub
     int64_t turning;
     stiffness__reaches(&near_x, &near_y, &near_spin, tables, table, near);
     stiffness__reaches(&far_x, &far_y, &far_spin, tables, table, far);
-    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
     (*cspan_at(&work, along + j)) = far_x - near_x;
     (*cspan_at(&work, across + j)) = far_y - near_y;
     (*cspan_at(&work, turning + j)) = far_spin - near_spin;
@@ -2565,9 +2657,12 @@ static inline double stiffness__reach_cubic(array_double_1d tables, int64_t tabl
     return result;
 }
 
-/* Solve in place by Gauss, without exchange of rows: the kernel is positive, largest on the diagonal. */
-static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations)
+/* Solve in place by Gauss, for so many right-hand ``sides``, without exchange of rows: the kernel is
+ * positive, largest on the diagonal.
+ */
+static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides)
 {
+    int64_t stop;
     int64_t k;
     int64_t pivot;
     double inverse;
@@ -2575,36 +2670,65 @@ static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equa
     int64_t row;
     double factor;
     int64_t j;
+    int64_t side;
     int64_t back;
     double value;
     int64_t known;
+    stop = layout__BLOCK_COUNT + sides;
     for (k = INT64_C(0); k < layout__BLOCK_COUNT; k += INT64_C(1))
     {
-        pivot = equations + INT64_C(9) * k;
+        pivot = equations + INT64_C(10) * k;
         inverse = 1.0 / (*cspan_at(&work, pivot + k));
         for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
         {
-            row = equations + INT64_C(9) * i;
+            row = equations + INT64_C(10) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT + INT64_C(1); j += INT64_C(1))
+            for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
             {
                 (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
-    for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
+    for (side = layout__BLOCK_COUNT; side < stop; side += INT64_C(1))
     {
-        k = layout__BLOCK_COUNT - INT64_C(1) - back;
-        pivot = equations + INT64_C(9) * k;
-        value = (*cspan_at(&work, pivot + layout__BLOCK_COUNT));
-        for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
         {
-            known = equations + INT64_C(9) * j;
-            value -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + layout__BLOCK_COUNT));
+            k = layout__BLOCK_COUNT - INT64_C(1) - back;
+            pivot = equations + INT64_C(10) * k;
+            value = (*cspan_at(&work, pivot + side));
+            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+            {
+                known = equations + INT64_C(10) * j;
+                value -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
+            }
+            (*cspan_at(&work, pivot + side)) = value / (*cspan_at(&work, pivot + k));
         }
-        (*cspan_at(&work, pivot + layout__BLOCK_COUNT)) = value / (*cspan_at(&work, pivot + k));
     }
     return INT64_C(0);
+}
+
+/* The longitudinal creepage that strips with K1 w_x lack for the force of eq. (K1) with their own
+ * creepages; eq. (K4).
+ */
+static inline double stiffness__creepage_shift(array_double_1d work)
+{
+    double missing;
+    double stiff;
+    int64_t i;
+    int64_t block;
+    int64_t row;
+    double area;
+    missing = 0.0;
+    stiff = 0.0;
+    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
+        missing += area * ((*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)));
+        stiff += area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
+    }
+    return missing / stiff;
 }
 
 /* How much the mean counts in spin's stiffness, by a/b. */

@@ -17,10 +17,8 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     double v2;
     double mean_axis_t;
     double mean_axis;
-    double v4;
     double v3;
-    double v3_t;
-    double v5;
+    double v4;
     int64_t ratio;
     double on_ratio;
     double on_ratio_t;
@@ -39,16 +37,22 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     double on_azimuth_t;
     double on_radius;
     double on_radius_t;
+    double v5;
     double v6;
+    double v6_t;
     double v7;
-    double v7_t;
     double v8;
+    double v8_t;
     double v9;
-    double v9_t;
     double v10;
     double v11;
+    double v11_t;
     double v12;
     double v12_t;
+    double v13;
+    double v13_t;
+    double v14;
+    double v14_t;
     double force_x;
     double force_x_t;
     double force_y;
@@ -60,10 +64,9 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     v2 = sqrt(v1);
     mean_axis_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
     mean_axis = v2;
-    v4 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    derivative_powers__log_rule_t(&v3, &v3_t, v4, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-    v5 = v3 - correction__LN_FIRST_RATIO;
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, v3_t * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), 0.0);
+    v3 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    v4 = log(v3) - log(correction__FIRST_RATIO);
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v4 * correction__PER_DOUBLING, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) / v3 * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), 0.0);
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
@@ -83,19 +86,38 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     }
     derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, tables, table, along, along_t, across, across_t, turning, turning_t);
     at = at + ratio * correction__RATIO_STRIDE;
-    v6 = sign_x * bound;
-    derivative_correction__missing_t(&v7, &v7_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * bound_t * v7 + v6 * v7_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v6 * v7;
-    v8 = sign_y * bound;
-    derivative_correction__missing_t(&v9, &v9_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * bound_t * v9 + v8 * v9_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v8 * v9;
-    v10 = sign_y * bound;
-    v11 = v10 * mean_axis;
-    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v10 * mean_axis_t) * v12 + v11 * v12_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v11 * v12;
+    v5 = sign_x * bound;
+    derivative_correction__missing_t(&v6, &v6_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * bound_t * v6 + v5 * v6_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v5 * v6;
+    v7 = sign_y * bound;
+    derivative_correction__missing_t(&v8, &v8_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * bound_t * v8 + v7 * v8_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v7 * v8;
+    v9 = sign_y * bound;
+    v10 = v9 * mean_axis;
+    derivative_correction__missing_t(&v11, &v11_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v9 * mean_axis_t) * v11 + v10 * v11_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v10 * v11;
+    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) + v12_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v12;
+    v13 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
+    v13_t = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
+    if (0.0 > v13)
+    {
+        v13 = 0.0;
+        v13_t = 0.0;
+    }
+    v14 = v13;
+    v14_t = v13_t;
+    if (1.0 < v14)
+    {
+        v14 = 1.0;
+        v14_t = 0.0;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = v14_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v14;
     derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
     (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = force_x_t;
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
@@ -124,31 +146,30 @@ static inline int64_t derivative_correction__saturation_t(double* result_0, doub
     double v5;
     double scale_t;
     double scale;
+    double v6;
     double v7;
     double v8;
-    double v8_t;
-    double v6;
-    double v6_t;
     double v9;
     double v10;
+    double v11;
     double wide_t;
     double wide;
     int64_t at;
-    double v11;
     double v12;
-    double v12_t;
     double v13;
+    double v13_t;
     double v14;
     double v15;
-    double v15_t;
     double v16;
+    double v16_t;
     double v17;
     double v18;
     double v19;
     double v20;
-    double v20_t;
     double v21;
+    double v21_t;
     double v22;
+    double v23;
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
@@ -161,32 +182,33 @@ static inline int64_t derivative_correction__saturation_t(double* result_0, doub
     v5 = v3 / v4;
     scale_t = ((-area_t) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) - v5 * ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
     scale = v5;
-    v7 = -2.7;
-    derivative_powers__log_rule_t(&v8, &v8_t, ratio, ratio_t);
-    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, v7 * v8_t);
-    v9 = 1.0 + 0.66 * v6;
-    v10 = sqrt(v9);
-    wide_t = derivative_rates__root_rate(v10, 0.66 * v6_t);
-    wide = v10;
+    v6 = -2.7;
+    v7 = log(ratio);
+    v8 = v6 * v7;
+    v9 = exp(v8);
+    v10 = 1.0 + 0.66 * v9;
+    v11 = sqrt(v10);
+    wide_t = derivative_rates__root_rate(v11, 0.66 * (v9 * (v6 * (ratio_t / ratio))));
+    wide = v11;
     at = INT64_C(3) * cell;
-    v11 = scale * first;
-    derivative_correction__scale_at_t(&v12, &v12_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share, share_t);
-    v13 = v11 * v12;
-    v14 = scale * second;
-    derivative_correction__scale_at_t(&v15, &v15_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share, share_t);
-    v16 = v14 * v15;
-    v17 = sqrt(area);
-    v18 = scale * v17;
-    v19 = v18 * third;
-    derivative_correction__scale_at_t(&v20, &v20_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share, share_t);
-    v21 = v19 * v20;
-    v22 = v21 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*result_0) = v13 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*result_1) = ((scale_t * first + scale * first_t) * v12 + v11 * v12_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v13 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
-    (*result_2) = v16 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_3) = ((scale_t * second + scale * second_t) * v15 + v14 * v15_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v16 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_4) = v22 * wide;
-    (*result_5) = ((((scale_t * v17 + scale * derivative_rates__root_rate(v17, area_t)) * third + v18 * third_t) * v20 + v19 * v20_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v21 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * wide + v22 * wide_t;
+    v12 = scale * first;
+    derivative_correction__scale_at_t(&v13, &v13_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share, share_t);
+    v14 = v12 * v13;
+    v15 = scale * second;
+    derivative_correction__scale_at_t(&v16, &v16_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share, share_t);
+    v17 = v15 * v16;
+    v18 = sqrt(area);
+    v19 = scale * v18;
+    v20 = v19 * third;
+    derivative_correction__scale_at_t(&v21, &v21_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share, share_t);
+    v22 = v20 * v21;
+    v23 = v22 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*result_0) = v14 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
+    (*result_1) = ((scale_t * first + scale * first_t) * v13 + v12 * v13_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v14 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+    (*result_2) = v17 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+    (*result_3) = ((scale_t * second + scale * second_t) * v16 + v15 * v16_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v17 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+    (*result_4) = v23 * wide;
+    (*result_5) = ((((scale_t * v18 + scale * derivative_rates__root_rate(v18, area_t)) * third + v19 * third_t) * v21 + v20 * v21_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v22 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * wide + v23 * wide_t;
     return 0;
 }
 
@@ -212,18 +234,17 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     double radius_t;
     double radius;
     double v5;
-    double v5_t;
     double v6;
     double v7;
     double v8;
     int64_t elevation;
     double v9;
-    double v9_t;
     double v10;
     double v11;
-    int64_t azimuth;
     double v12;
+    int64_t azimuth;
     double v13;
+    double v14;
     int64_t cell;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
@@ -233,18 +254,19 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     v4 = sqrt(v3);
     radius_t = derivative_rates__root_rate(v4, flat_t * flat + flat * flat_t + (along_t * along + along * along_t));
     radius = v4;
-    derivative_circle__atan2_rule_t(&v5, &v5_t, along, along_t, flat, flat_t);
+    v5 = atan2(along, flat);
     v6 = 2.0 / M_PI;
     v7 = v5 * v6;
     v8 = (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1));
-    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, v7 * v8, v5_t * v6 * v8, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
-    derivative_circle__atan2_rule_t(&v9, &v9_t, fabs(turning), derivative_rates__size_rate(turning, turning_t), across, across_t);
-    v10 = v9 / M_PI;
-    v11 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v10 * v11, v9_t / M_PI * v11, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
-    v12 = 1.0 + radius;
-    v13 = radius / v12;
-    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v13, (radius_t - v13 * radius_t) / v12);
+    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, v7 * v8, (flat * along_t - along * flat_t) / (flat * flat + along * along) * v6 * v8, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
+    v9 = fabs(turning);
+    v10 = atan2(v9, across);
+    v11 = v10 / M_PI;
+    v12 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
+    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v11 * v12, (across * derivative_rates__size_rate(turning, turning_t) - v9 * across_t) / (across * across + v9 * v9) / M_PI * v12, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
+    v13 = 1.0 + radius;
+    v14 = radius / v13;
+    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v14, (radius_t - v14 * radius_t) / v13);
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
 }
@@ -344,8 +366,8 @@ static inline int64_t derivative_correction__on_line_t(double* result_0, double*
  * Derivatives of coupled_strips.py.
  */
 
-/* Derivative of ``find_stick_zone``. */
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t)
+/* Derivative of ``open_stick_zone``. */
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double shift, double shift_t, double width, double width_t, double ratio, double ratio_t)
 {
     double a_t;
     double a;
@@ -354,124 +376,181 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double inverse;
     double v2;
     double v3;
-    double u_t;
-    double u;
     double v4;
     double v5;
-    double v_t;
-    double v;
     double v6;
     double v7;
+    double v8;
+    double v9;
+    double v9_t;
+    double depth;
+    double depth_t;
+    double weight;
+    double weight_t;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v1 = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    inverse_t = (-v1) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    inverse = v1;
+    v2 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG));
+    v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift;
+    v4 = v2 * v3;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * v3 + v2 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) + shift_t)) * inverse + v4 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v4 * inverse;
+    v5 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
+    v6 = v5 * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) * inverse + v6 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v6 * inverse;
+    v7 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
+    v8 = v7 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v7 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * inverse + v8 * inverse_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = v8 * inverse;
+    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, width_t * inverse + width * inverse_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), ratio, ratio_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)) = v9_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = v9;
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), a, a_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = weight_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0;
+    if (depth < a)
+    {
+        v10 = 0.5 * depth;
+        v11 = v10 / a;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = -((0.5 * depth_t - v11 * a_t) / a);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0 - v11;
+    }
+    else
+    {
+        v12 = 0.5 * a;
+        v13 = v12 / depth;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = (0.5 * a_t - v13 * depth_t) / depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = v13;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``find_stick_zone``. */
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double mean, double mean_t, double ratio, double ratio_t)
+{
+    double a_t;
+    double a;
+    double v2;
+    double v1;
+    double v1_t;
+    double share_t;
+    double share;
+    double v3;
+    double v4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    double push_t;
+    double push;
+    double u_t;
+    double u;
+    double v_t;
+    double v;
     double k_t;
     double k;
     double v8;
-    double v8_t;
-    double spread_t;
-    double spread;
     double depth;
     double depth_t;
-    double first_weight;
-    double first_weight_t;
-    double v10;
-    double v9;
-    double v9_t;
-    double share_t;
-    double share;
-    double v11;
     double weight;
     double weight_t;
+    double v9;
+    double v9_t;
+    double v10;
+    double v11;
     double v12;
-    double v12_t;
     double v13;
-    double v14;
     double v15;
     double v16;
-    double v18;
-    double v19;
+    double v14;
+    double v14_t;
     double v17;
-    double v17_t;
-    double v20;
-    double v21;
-    double v21_t;
-    a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    v1 = 1.0 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    inverse_t = (-v1) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    inverse = v1;
-    v2 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG));
-    v3 = v2 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    u_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) + v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP))) * inverse + v3 * inverse_t;
-    u = v3 * inverse;
-    v4 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS));
-    v5 = v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
-    v_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL))) * inverse + v5 * inverse_t;
-    v = v5 * inverse;
-    v6 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING));
-    v7 = v6 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    k_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + v6 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN))) * inverse + v7 * inverse_t;
-    k = v7 * inverse;
-    derivative_coupled_strips__spread_square_t(&v8, &v8_t, work, work_t, width * inverse, width_t * inverse + width * inverse_t, k, k_t, ratio, ratio_t);
-    spread_t = v8_t;
-    spread = v8;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &first_weight, &first_weight_t, u * u + spread, u_t * u + u * u_t + spread_t, v, v_t, k, k_t, a, a_t);
-    v10 = depth / a;
-    derivative_coupled_strips__later_share_t(&v9, &v9_t, v10, (depth_t - v10 * a_t) / a, ratio, ratio_t);
-    share_t = v9_t;
-    share = v9;
-    u_t = u_t * share + u * share_t;
-    u = u * share;
-    v_t = v_t * share + v * share_t;
-    v = v * share;
-    k_t = k_t * share + k * share_t;
-    k = k * share;
-    v11 = share * share;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v11 * spread, u_t * u + u * u_t + ((share_t * share + share * share_t) * spread + v11 * spread_t), v, v_t, k, k_t, a, a_t);
-    v12 = weight;
-    v12_t = weight_t;
-    if (first_weight < v12)
+    double v18;
+    double v18_t;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a;
+    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v2 * a_t) / a, ratio, ratio_t);
+    share_t = v1_t;
+    share = v1;
+    v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean;
+    v4 = coupled_strips__YIELD * v3;
+    v5 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+    v5_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED));
+    if (mean > v5)
     {
-        v12 = first_weight;
-        v12_t = first_weight_t;
+        v5 = mean;
+        v5_t = mean_t;
     }
-    weight_t = v12_t;
-    weight = v12;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    v6 = v4 / v5;
+    v7 = 1.0 + v6;
+    push_t = share_t * v7 + share * ((coupled_strips__YIELD * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) - mean_t) - v6 * v5_t) / v5);
+    push = share * v7;
+    u_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+    u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+    v_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+    v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+    k_t = share_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST));
+    k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+    v8 = share * share;
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v8 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), u_t * u + u * u_t + ((share_t * share + share * share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v8 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))), v, v_t, k, k_t, a, a_t);
+    v9 = weight;
+    v9_t = weight_t;
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v9)
+    {
+        v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+        v9_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    }
+    weight_t = v9_t;
+    weight = v9;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if ((weight > 0.0) && (depth < a))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
-        v13 = depth + march__NOTHING;
-        v14 = u / v13;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v14 * depth_t) / v13;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v14;
-        v15 = depth + march__NOTHING;
-        v16 = v / v15;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v16 * depth_t) / v15 + k_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v16 + k;
-        v18 = depth / a;
-        v19 = 1.0 - v18;
-        derivative_coupled_strips__smooth_step_t(&v17, &v17_t, v19 / coupled_strips__FADE, (-((depth_t - v18 * a_t) / a)) / coupled_strips__FADE);
-        v20 = weight * v17;
-        derivative_coupled_strips__edge_weight_t(&v21, &v21_t, work, work_t);
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v17 + weight * v17_t) * v21 + v20 * v21_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) = v20 * v21;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        v10 = depth + march__NOTHING;
+        v11 = u / v10;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v11 * depth_t) / v10;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v11;
+        v12 = depth + march__NOTHING;
+        v13 = v / v12;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v13 * depth_t) / v12 + k_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v13 + k;
+        v15 = depth / a;
+        v16 = 1.0 - v15;
+        derivative_coupled_strips__smooth_step_t(&v14, &v14_t, v16 / coupled_strips__FADE, (-((depth_t - v15 * a_t) / a)) / coupled_strips__FADE);
+        v17 = weight * v14;
+        derivative_coupled_strips__edge_weight_t(&v18, &v18_t, work, work_t, march);
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v14 + weight * v14_t) * v18 + v17 * v18_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v17 * v18;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
     return INT64_C(0);
 }
 
 /* Derivative of ``spread_square``. */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t march, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t)
 {
     double v1;
     double over_width_t;
@@ -490,8 +569,8 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
     double floor_t;
     double floor;
     double v7;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    over_width_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
+    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    over_width_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
     over_width = v1 * scale;
     v2 = fabs(k);
     v2_t = derivative_rates__size_rate(k, k_t);
@@ -514,8 +593,8 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
     v4 = coupled_strips__SPREAD_FLOOR * long_0001;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    floor = v6 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = v6 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v7 = over_width * over_width;
     (*result_0) = v7 / 6.0 + floor * floor;
     (*result_1) = (over_width_t * over_width + over_width * over_width_t) / 6.0 + (floor_t * floor + floor * floor_t);
@@ -626,7 +705,7 @@ static inline int64_t derivative_coupled_strips__later_share_t(double* share, do
 }
 
 /* Derivative of ``edge_weight``. */
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t march)
 {
     double v1;
     double v2;
@@ -645,19 +724,19 @@ static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, d
     double v6_t;
     (*weight_t) = 0.0;
     (*weight) = 1.0;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
     {
-        v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        t_t = derivative_rates__root_rate(v3, -(((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))));
+        t_t = derivative_rates__root_rate(v3, -(((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH))));
         t = v3;
         v4 = 1.0 - t;
-        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (-t_t);
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v4;
+        along_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-t_t);
+        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v4;
         v5 = 1.0 - t;
-        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (-t_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t_t);
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * t;
+        across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-t_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * t + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t_t);
+        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
         derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, derivative_rates__root_rate(v8, along_t * along + along * along_t + (across_t * across + across * across_t)));
@@ -711,14 +790,14 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     double plane_t;
     double spinning;
     double spinning_t;
+    double v2;
+    double v2_t;
+    double mean_t;
+    double mean;
     double stuck_t;
     double stuck;
     int64_t i;
-    int64_t strip;
-    double v2;
-    double v2_t;
-    double rate_t;
-    double rate;
+    int64_t march;
     double v3;
     double v4;
     double v5;
@@ -730,25 +809,24 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
     derivative_march__open_marches_t(work, work_t, ratio, ratio_t);
+    derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
+    mean_t = v2_t;
+    mean = v2;
     stuck_t = 0.0;
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        derivative_tractions__bound_rate_t(&v2, &v2_t, work, work_t, patch, strip);
-        rate_t = v2_t;
-        rate = v2;
-        if (rate > 0.0)
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
         {
-            derivative_coupled_strips__begin_march_t(work, work_t, patch, strip, rate, rate_t, i);
-            derivative_coupled_strips__find_stick_zone_t(work, work_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
-            derivative_march__set_pushes_t(work, work_t, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
-            derivative_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), i);
-            v3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
+            derivative_coupled_strips__find_stick_zone_t(work, work_t, march, mean, mean_t, ratio, ratio_t);
+            derivative_march__set_pushes_t(work, work_t, march, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
+            derivative_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, i);
+            v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
             v4 = 2.0 * v3;
-            v5 = v4 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
-            stuck_t = stuck_t + ((2.0 * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) + v4 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-            stuck = stuck + v5 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v5 = v4 * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+            stuck_t = stuck_t + ((2.0 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) + v4 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            stuck = stuck + v5 * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
     }
     derivative_march__march_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
@@ -758,6 +836,52 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (stuck_t - v7 * v6_t) / v6;
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v7;
     return INT64_C(0);
+}
+
+/* Derivative of ``open_stick_zones``. */
+static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double ratio, double ratio_t)
+{
+    double carried_t;
+    double carried;
+    double whole_t;
+    double whole;
+    int64_t i;
+    int64_t strip;
+    int64_t march;
+    double v1;
+    double v1_t;
+    double v2;
+    double weight_t;
+    double weight;
+    double v3;
+    carried_t = 0.0;
+    carried = 0.0;
+    whole_t = 0.0;
+    whole = 0.0;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) = v1_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = v1;
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        {
+            derivative_coupled_strips__begin_march_t(work, work_t, march, strip, i);
+            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
+            v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+            weight_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            weight = v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            whole_t = whole_t + weight_t;
+            whole = whole + weight;
+            carried_t = carried_t + (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)));
+            carried = carried + weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+        }
+    }
+    v3 = whole + march__NOTHING;
+    (*v4) = carried / v3;
+    (*result_1) = (carried_t - (*v4) * whole_t) / v3;
+    return 0;
 }
 
 /* Derivative of ``flexibilities``. */
@@ -809,7 +933,7 @@ static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, dou
 }
 
 /* Derivative of ``begin_march``. */
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index)
+static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t strip, int64_t index)
 {
     double along;
     double along_t;
@@ -817,23 +941,21 @@ static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d w
     double across_t;
     double turning;
     double turning_t;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
     derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = along;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = across;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = turning_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = turning;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = along_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = across_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = turning_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
     return INT64_C(0);
 }
 
@@ -956,6 +1078,8 @@ static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d w
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT));
@@ -1030,10 +1154,10 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
     v3 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
     vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v3 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v3;
-    normal_y_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN));
-    normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    normal_z_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
-    normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+    normal_y_t = -(cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
+    normal_y = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    normal_z_t = -((-sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
+    normal_z = -cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
     derivative_creepage__reference_speed_t(&v4, &v4_t, work, work_t, motion, rolling_x, rolling_x_t);
     speed_t = v4_t;
     speed = v4;
@@ -1072,7 +1196,21 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t index;
-    int64_t strip;
+    double v1;
+    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    {
+        v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)), v1, (-v1) * (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``move_strip``. */
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t)
+{
+    int64_t rail;
+    double x_t;
+    double x;
     double y_t;
     double y;
     double z_t;
@@ -1085,24 +1223,54 @@ static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, a
     double rolling_z_t;
     double share;
     double share_t;
+    double turn_z_t;
+    double turn_z;
+    double along_t;
+    double along;
+    double roll_t;
+    double roll;
     double v1;
-    double v1_t;
+    double lateral_t;
+    double lateral;
     double v2;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)), y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-        derivative_creepage__velocity_along_t(&v1, &v1_t, work, work_t, motion, y, y_t, z, z_t, rolling_x, rolling_x_t);
-        v2 = v1 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (v1_t - v2 * (*cspan_at(&work_t, patch + layout__PATCH_SPEED))) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = v2;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share_t;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    }
+    double vertical_t;
+    double vertical;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    rail = motion + layout__MOTION_RAIL;
+    x_t = x_track_t + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
+    turn_z_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
+    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    along_t = (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) - ((*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - (turn_z_t * y + turn_z * y_t) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z_t) - rolling_x_t;
+    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
+    roll_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL));
+    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
+    v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
+    lateral_t = (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) + ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)))) + (turn_z_t * x + turn_z * x_t) - (roll_t * z + roll * z_t) - rolling_y_t;
+    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1 + turn_z * x - roll * z - rolling_y;
+    v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
+    vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)))) + (roll_t * y + roll * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t;
+    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2 + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = along_t * inverse + along * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
+    v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical_t)) * inverse + v3 * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = v3 * inverse;
+    v4 = turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
+    v5 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
+    v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * v4 - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * v5;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z_t - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)))) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * inverse_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = v6 * inverse;
+    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share_t;
+    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
     return INT64_C(0);
 }
 
@@ -1182,6 +1350,8 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
     double v2;
     double vertical_t;
     double vertical;
+    double v3;
+    double v4;
     rail = motion + layout__MOTION_RAIL;
     y_t = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
@@ -1193,8 +1363,10 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
     v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
     vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK))) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
-    (*result_0) = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
-    (*result_1) = (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral_t + ((*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical_t);
+    v3 = sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    v4 = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    (*result_0) = v3 * lateral + v4 * vertical;
+    (*result_1) = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) * lateral + v3 * lateral_t + ((-sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) * vertical + v4 * vertical_t);
     return 0;
 }
 
@@ -1589,6 +1761,10 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
     }
     return INT64_C(0);
 }
@@ -1616,8 +1792,8 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     double v1_t;
     double rate_t;
     double rate;
-    double lateral_t;
-    double lateral;
+    double slanted_t;
+    double slanted;
     double v2;
     double v2_t;
     double v3;
@@ -1630,7 +1806,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     double v8_t;
     double v9;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
-    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch);
+    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
     stuck_t = 0.0;
@@ -1647,19 +1823,19 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            lateral_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-            lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+            slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, v2, v2_t, lateral, lateral_t, (*cspan_at(&work, patch + layout__PATCH_SPIN)), (*cspan_at(&work_t, patch + layout__PATCH_SPIN)));
+            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3_t;
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3;
-            v4 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across_t + (((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) * turning + v4 * turning_t);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + v4 * turning;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * turning + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning_t;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
-            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip);
+            v4 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
+            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v4 * across_t + (slanted_t * turning + slanted * turning_t);
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = v4 * across + slanted * turning;
+            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
+            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
             v5 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
             v6 = 2.0 * v5;
             stuck_t = stuck_t + (2.0 * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v6 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
@@ -1677,7 +1853,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
 }
 
 /* Derivative of ``set_stiffnesses``. */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
 {
     double v1;
     double ratio_t;
@@ -1708,20 +1884,20 @@ static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = 2.0 * first_t * modulus / v4;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * first_t * modulus / v4;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second_t * modulus / v7;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second_t * modulus / v7;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = (1.5 * third_t * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, ratio_t))) / v11;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) = v12;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = (1.5 * third_t * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, ratio_t))) / v11;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = v12;
     return INT64_C(0);
 }
 
@@ -1745,7 +1921,7 @@ static inline int64_t derivative_fastrip__longitudinal_t(double* push, double* p
 }
 
 /* Derivative of ``find_stick``. */
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t)
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, int64_t march, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t)
 {
     double v1;
     double v2;
@@ -1786,18 +1962,18 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     double v21;
     double v22;
     v1 = -push;
-    v2 = v1 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    u_t = ((-push_t) - v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v2 = v1 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    u_t = ((-push_t) - v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     u = v2;
-    v3 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS));
+    v3 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
     v4 = v3 * lateral;
-    v5 = v4 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    v_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS))) * lateral + v3 * lateral_t - v5 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v5 = v4 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * lateral + v3 * lateral_t - v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v = v5;
-    v6 = -(*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING));
+    v6 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
     v7 = v6 * spin;
-    v8 = v7 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    k_t = ((-(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * spin + v6 * spin_t - v8 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v8 = v7 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    k_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * spin + v6 * spin_t - v8 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     k = v8;
     rest_t = -(k_t * k + k * k_t);
     rest = 1.0 - k * k;
@@ -1806,8 +1982,8 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     v9 = rest * u;
     spread_t = v_t * v + v * v_t + ((rest_t * u + rest * u_t) * u + v9 * u_t);
     spread = v * v + v9 * u;
-    depth_t = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth_t = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
@@ -1836,34 +2012,34 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         depth_t = (u_t * u + u * u_t + (v_t * v + v * v_t) - v18 * (derivative_rates__root_rate(v16, spread_t) - cross_t)) / v17;
         depth = v18;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if (depth < (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)))
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) = depth;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = (u_t - v20 * depth_t) / v19;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) = v20;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v20 * depth_t) / v19;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v22 * depth_t) / v21 + k_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v22 * depth_t) / v21 + k_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return INT64_C(0);
 }
 
 /* Derivative of ``add_tractions``. */
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip)
+static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
     double a_t;
     double a;
@@ -1886,56 +2062,56 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
     double v4_t;
     double weight_t;
     double weight;
-    a_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = a_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = a;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = a_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
         x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a;
-        bound_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
+        bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
         bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, x, x_t, bound, bound_t);
+        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, x, x_t, bound, bound_t);
         square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
         square = p_x * p_x + p_y * p_y;
-        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
-        v2_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
+        v2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST));
         if (square > v2)
         {
             v2 = square;
             v2_t = square_t;
         }
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = v2;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = v2_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = v2;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
         v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
     }
     derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
     weight_t = v4_t;
     weight = v4;
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SUM_MOMENT)));
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)));
     return INT64_C(0);
 }
 
 /* Derivative of ``next_traction``. */
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t)
+static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t)
 {
     double step_t;
     double step;
@@ -1959,32 +2135,32 @@ static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p
     double size;
     double v9;
     double v10;
-    step_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) - x_t;
-    step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) - x;
+    step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
+    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
     v1 = x + 0.5 * step;
-    across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * (x_t + 0.5 * step_t));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
-    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) - (step_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) + step * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X))), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) - step * across, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) - (step_t * across + step * across_t), bound, bound_t);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = x_t;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_X)) = x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = (*p_x_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    reach_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    reach = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    v2 = x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    v3 = x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))));
+    across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x_t + 0.5 * step_t));
+    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
+    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X))), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) - (step_t * across + step * across_t), bound, bound_t);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = x_t;
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x_t);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
+    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y_t);
+    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
+    reach_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH));
+    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    v2 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    v3 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))));
     inner = reach * reach - v2 * v3;
     if (inner > 0.0)
     {
         v4 = sqrt(inner);
-        root_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * v4 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, inner_t);
-        root = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * v4;
+        root_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, inner_t);
+        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v4;
         v5 = bound - root;
         v6 = bound - root;
-        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root_t), bound, bound_t);
+        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t), bound, bound_t);
     }
     else
     {
@@ -2143,6 +2319,8 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
 {
     double a_t;
     double a;
+    double slanted_t;
+    double slanted;
     double v1;
     double lateral_t;
     double lateral;
@@ -2193,11 +2371,13 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
     double v11;
     a_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    lateral_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * across + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across_t + (((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) * turning + v1 * turning_t);
-    lateral = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * across + v1 * turning;
-    turn_t = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * turning + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning_t;
-    turn = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * turning;
+    slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
+    lateral_t = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v1 * across_t + (slanted_t * turning + slanted * turning_t);
+    lateral = v1 * across + slanted * turning;
+    turn_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
     before_t = a_t;
     before = a;
     p_x_t = 0.0;
@@ -2290,10 +2470,10 @@ static inline int64_t derivative_friction__patch_friction_t(double* found, doubl
     double v3;
     double fall;
     double v4;
-    double v6;
     double v5;
-    double v5_t;
+    double v6;
     double v7;
+    double v8;
     (*found_t) = friction_t;
     (*found) = friction;
     if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
@@ -2308,11 +2488,12 @@ static inline int64_t derivative_friction__patch_friction_t(double* found, doubl
     {
         fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
         v4 = 1.0 - fall;
-        v6 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
-        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, v6 * sliding_t);
-        v7 = v4 * v5 + fall;
-        (*found_t) = (*found_t) * v7 + (*found) * (v4 * v5_t);
-        (*found) = (*found) * v7;
+        v5 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
+        v6 = v5 * sliding;
+        v7 = exp(v6);
+        v8 = v4 * v7 + fall;
+        (*found_t) = (*found_t) * v8 + (*found) * (v4 * (v7 * (v5 * sliding_t)));
+        (*found) = (*found) * v8;
     }
     return 0;
 }
@@ -2446,6 +2627,10 @@ static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d 
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor_t;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor_t;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor;
     }
     return INT64_C(0);
 }
@@ -2475,7 +2660,7 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
     gain_t = v1_t;
     gain = v1;
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
     {
         v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
@@ -2520,8 +2705,11 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
     int64_t strip;
     double plane_t;
     double plane;
+    double lateral_t;
+    double lateral;
     double v1;
     double v2;
+    double v3;
     (*gain_t) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y))) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
     (*gain) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
@@ -2529,10 +2717,13 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         plane_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
         plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
+        lateral_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) - (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane;
-        v2 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
-        (*gain_t) = (*gain_t) + ((((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - plane_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        (*gain) = (*gain) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        v3 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
+        (*gain_t) = (*gain_t) + ((((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - plane_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (lateral_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + lateral * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        (*gain) = (*gain) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return 0;
 }
@@ -2576,7 +2767,7 @@ static inline int64_t derivative_march__open_marches_t(array_double_1d work, arr
 }
 
 /* Derivative of ``set_pushes``. */
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
+static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
 {
     double i1_t;
     double i1;
@@ -2639,20 +2830,20 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     double v31;
     double turning_t;
     double turning;
-    i1_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane_t;
-    i1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * plane;
-    i2_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane_t;
-    i2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ACROSS)) * plane;
-    i3_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning_t;
-    i3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * spinning;
+    i1_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane_t;
+    i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
+    i2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane_t;
+    i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
+    i3_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) * spinning + (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning_t;
+    i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
     v1 = 3.0 * M_PI / 32.0;
-    v2 = v1 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    s_t = v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) + v2 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    s = v2 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN));
-    x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP));
-    y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
-    y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL));
+    v2 = v1 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    s_t = v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN));
+    s = v2 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
+    x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP));
+    x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
+    y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL));
+    y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
     z_t = s_t * s + s * s_t;
     z = s * s;
     v3 = x * i1 + y * i2 + z * i3 + march__NOTHING * i1;
@@ -2665,9 +2856,9 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v8 = z * i3;
     fills_t = (x_t * i1 + x * i1_t) * i1 + v6 * i1_t + ((y_t * i2 + y * i2_t) * i2 + v7 * i2_t) + ((z_t * i3 + z * i3_t) * i3 + v8 * i3_t);
     fills = v6 * i1 + v7 * i2 + v8 * i3;
-    v9 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v10 = 4.0 / v9;
-    scale_t = (-v10) * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / v9;
+    scale_t = (-v10) * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / v9;
     scale = v10;
     v11 = scale * fills;
     v12 = march__FILLS * march__FILLS;
@@ -2700,15 +2891,15 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v27 = lag / v26;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = (lag_t - v27 * ((scale_t * fills + scale * fills_t) / v25)) / v26;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = v27;
-    v28 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    along_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v28 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    along_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     along = v28;
-    v29 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    across_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v29 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    across_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     across = v29;
-    v30 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    v31 = v30 / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
-    turning_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE));
+    v30 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v31 = v30 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    turning_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     turning = v31;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along_t * i1 + along * i1_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
@@ -2726,7 +2917,7 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
 }
 
 /* Derivative of ``set_stick``. */
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number)
+static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number)
 {
     double weight_t;
     double weight;
@@ -2754,8 +2945,8 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
     double v11;
     double v12;
     double v13;
-    weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT));
+    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = -weight_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
     v1 = 1.0 - weight;
@@ -2764,8 +2955,8 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = v1 * v2;
     if (weight > 0.0)
     {
-        v3 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-        depth_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+        v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         depth = v3;
         edge_t = 2.0 * depth_t;
         edge = 2.0 * depth - 1.0;
@@ -2780,10 +2971,10 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         }
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
         (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
         v4 = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1));
@@ -2792,23 +2983,23 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         v7 = 1.0 - depth;
         inner_t = v4 * (-depth_t) * v7 + v6 * (-depth_t);
         inner = v6 * v7;
-        v8 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST));
+        v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
         v9 = weight * v8;
-        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
+        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
         across = v9 * inner;
-        v10 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X));
+        v10 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
         v11 = total - inner;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = v10 * v11;
-        v12 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
+        v12 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = v12 * total - across;
-        v13 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
+        v13 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
+        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = v13 * moment - across * depth;
-        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) > 1.0)
+        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
-            derivative_march__add_beyond_t(tables, work, work_t, table, number, q);
+            derivative_march__add_beyond_t(tables, work, work_t, table, march, number, q);
         }
         if (q < layout__POINT_LIMIT)
         {
@@ -2822,7 +3013,7 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``add_beyond``. */
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last)
+static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
 {
     double v1;
     double depth_t;
@@ -2854,8 +3045,8 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
     double v8;
     double v9;
     double v10;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH));
+    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     depth = v1;
     for (q = INT64_C(0); q < last; q += INT64_C(1))
     {
@@ -2872,14 +3063,14 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
             root_t = derivative_rates__root_rate(v4, inner_t);
             root = v4;
             v5 = bound - root;
-            p_x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
-            p_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_X)) * v5;
+            p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
+            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5;
             v6 = bound - root;
-            p_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root_t);
-            p_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TWIST)) * root;
+            p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t);
+            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
             derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, 0.0);
-            weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * bound;
-            weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
             v7 = cut_x - p_x;
             (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + (weight_t * v7 + weight * (cut_x_t - p_x_t));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + weight * v7;
@@ -3387,77 +3578,53 @@ static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* ra
 }
 
 /* Derivative of ``open_motion``. */
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion)
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t)
 {
-    double sin_yaw;
     double sin_yaw_t;
-    double cos_yaw;
+    double sin_yaw;
     double cos_yaw_t;
-    double sin_roll;
+    double cos_yaw;
     double sin_roll_t;
-    double cos_roll;
+    double sin_roll;
     double cos_roll_t;
+    double cos_roll;
     double v1;
     double v1_t;
     double v2;
-    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
+    double v3;
+    double v4;
+    sin_yaw_t = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    cos_yaw_t = (-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    sin_roll_t = cos((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) * (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    sin_roll = sin((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
+    cos_roll_t = (-sin((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)))) * (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    cos_roll = cos((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED));
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
     derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, tables);
     (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) = v1_t;
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
-    (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X)) = cos_yaw_t;
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
-    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y)) = sin_yaw_t;
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
-    v2 = -sin_yaw;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) = (-sin_yaw_t) * cos_roll + v2 * cos_roll_t;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v2 * cos_roll;
+    v2 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) = mirror_t * v2 + mirror * ((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));
+    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = mirror * v2;
+    (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    v3 = -mirror;
+    v4 = v3 * sin_yaw;
+    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) = ((-mirror_t) * sin_yaw + v3 * sin_yaw_t) * cos_roll + v4 * cos_roll_t;
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v4 * cos_roll;
     (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)) = cos_yaw_t * cos_roll + cos_yaw * cos_roll_t;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) = sin_roll_t;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) = mirror_t * sin_roll + mirror * sin_roll_t;
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = mirror * sin_roll;
+    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
-    return INT64_C(0);
-}
-
-/* Derivative of ``mirror_motion``. */
-static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t mirrored)
-{
-    (*cspan_at(&work_t, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work_t, motion + layout__MOTION_SPEED));
-    (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work_t, motion + layout__MOTION_LATERAL));
-    (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE));
-    (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
-    (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_TURN_Z));
-    (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_X));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     return INT64_C(0);
 }
 
@@ -3496,12 +3663,16 @@ static inline int64_t derivative_motion__open_right_rail_t(array_double_1d table
 /* Derivative of ``set_rates``. */
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t)
 {
+    double v1;
+    double v2;
     (*cspan_at(&work_t, right + layout__MOTION_VERTICAL)) = vertical_t;
     (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_X)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_Y)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
+    v1 = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work_t, right + layout__MOTION_TURN_X)) = roll_rate_t * v1 + roll_rate * ((-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * v1;
+    v2 = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work_t, right + layout__MOTION_TURN_Y)) = roll_rate_t * v2 + roll_rate * (cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * v2;
     (*cspan_at(&work_t, left + layout__MOTION_VERTICAL)) = vertical_t;
     (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
     (*cspan_at(&work_t, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work_t, right + layout__MOTION_TURN_X));
@@ -3521,10 +3692,6 @@ static inline int64_t derivative_motion__constrain_touching_t(array_double_1d wo
     double y;
     double z_t;
     double z;
-    double sine;
-    double sine_t;
-    double cosine;
-    double cosine_t;
     double normal_y_t;
     double normal_y;
     double normal_z_t;
@@ -3537,11 +3704,10 @@ static inline int64_t derivative_motion__constrain_touching_t(array_double_1d wo
     y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
     z_t = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
     z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_y_t = -sine_t;
-    normal_y = -sine;
-    normal_z_t = -cosine_t;
-    normal_z = -cosine;
+    normal_y_t = -(cos((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE))) * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    normal_y = -sin((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    normal_z_t = -((-sin((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)))) * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    normal_z = -cos((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
     (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = normal_y_t;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
     (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = normal_z_t;
@@ -3599,10 +3765,10 @@ static inline int64_t derivative_motion__known_part_t(double* result_0, double* 
 /* Derivative of ``set_contact_rates``. */
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right)
 {
-    double x_t;
-    double x;
-    double y_t;
-    double y;
+    double sin_yaw_t;
+    double sin_yaw;
+    double cos_yaw_t;
+    double cos_yaw;
     double left_roll_t;
     double left_roll;
     double right_roll_t;
@@ -3625,14 +3791,14 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
-    x_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
-    x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    y_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
-    y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    left_roll_t = y_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (x_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
-    left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    right_roll_t = x_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (y_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
-    right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
+    sin_yaw_t = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    cos_yaw_t = (-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    left_roll_t = sin_yaw_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + sin_yaw * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (cos_yaw_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + cos_yaw * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
+    left_roll = sin_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - cos_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
+    right_roll_t = cos_yaw_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + cos_yaw * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (sin_yaw_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + sin_yaw * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
+    right_roll = cos_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + sin_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, left);
     known_left_t = v1_t;
     known_left = v1;
@@ -3783,17 +3949,15 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     double v7;
     double e_t;
     double e;
-    double v8;
-    double v8_t;
     double share_t;
     double share;
+    double v8;
     double v9;
     double v10;
     double v11;
     double v12;
     double v13;
     double v14;
-    double v15;
     bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v1 = 0.25 * M_PI;
@@ -3805,28 +3969,27 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     v7 = v6 / bound;
     e_t = ((((v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v2 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * shear_modulus_t) * coefficient + v4 * coefficient_t) * whole + v5 * whole_t - v7 * bound_t) / bound;
     e = v7;
-    derivative_circle__atan_rule_t(&v8, &v8_t, e, e_t);
-    share_t = v8_t;
-    share = v8;
+    share_t = e_t / (1.0 + e * e);
+    share = atan(e);
     if (e < 1.0)
     {
-        v9 = 1.0 + e * e;
-        v10 = e / v9;
-        share_t = share_t + (e_t - v10 * (e_t * e + e * e_t)) / v9;
-        share = share + v10;
+        v8 = 1.0 + e * e;
+        v9 = e / v8;
+        share_t = share_t + (e_t - v9 * (e_t * e + e * e_t)) / v8;
+        share = share + v9;
     }
     else
     {
-        v11 = 1.0 / e;
-        v12 = e + v11;
-        v13 = 1.0 / v12;
-        share_t = share_t + (-v13) * (e_t + (-v11) * e_t / e) / v12;
-        share = share + v13;
+        v10 = 1.0 / e;
+        v11 = e + v10;
+        v12 = 1.0 / v11;
+        share_t = share_t + (-v12) * (e_t + (-v10) * e_t / e) / v11;
+        share = share + v12;
     }
-    v14 = 2.0 / M_PI;
-    v15 = v14 * bound;
-    (*result_0) = v15 * share;
-    (*result_1) = v14 * bound_t * share + v15 * share_t;
+    v13 = 2.0 / M_PI;
+    v14 = v13 * bound;
+    (*result_0) = v14 * share;
+    (*result_1) = v13 * bound_t * share + v14 * share_t;
     return 0;
 }
 
@@ -3839,10 +4002,9 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     double b;
     double bound_t;
     double bound;
+    double v1;
     double v2;
     double v3;
-    double v1;
-    double v1_t;
     double v4;
     double wide_t;
     double wide;
@@ -3872,11 +4034,11 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    v2 = -a;
-    v3 = v2 / b;
-    derivative_powers__exp_rule_t(&v1, &v1_t, v3, ((-a_t) - v3 * b_t) / b);
-    v4 = 1.0 - v1;
-    wide_t = 6.3 * (-v1_t);
+    v1 = -a;
+    v2 = v1 / b;
+    v3 = exp(v2);
+    v4 = 1.0 - v3;
+    wide_t = 6.3 * (-(v3 * (((-a_t) - v2 * b_t) / b)));
     wide = 1.0 + 6.3 * v4;
     v5 = 8.0 / 3.0;
     v6 = v5 * shear_modulus;
@@ -4024,11 +4186,13 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     double v9;
     double v10;
     double v10_t;
+    double v11;
+    double v11_t;
     derivative_stiffness__join_strips_t(work, work_t, patch);
     derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X);
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y);
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN);
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
@@ -4050,17 +4214,20 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = along_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT)) + along * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = across_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT)) + across * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i + layout__BLOCK_COUNT));
-        v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = along_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)) + along * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = across_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)) + across * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT));
         v9 = v8 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (turning_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) + turning * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i + layout__BLOCK_COUNT)) - v9 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (turning_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) + turning * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) - v9 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v9;
     }
-    derivative_stiffness__mean_share_t(&v10, &v10_t, ratio, ratio_t);
-    derivative_stiffness__spread_turning_t(work, work_t, v10, v10_t);
+    derivative_stiffness__creepage_shift_t(&v10, &v10_t, work, work_t);
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10_t;
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10;
+    derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
+    derivative_stiffness__spread_turning_t(work, work_t, v11, v11_t);
     return INT64_C(0);
 }
 
@@ -4082,6 +4249,7 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
     double least;
     double v6;
     double v7;
+    double v8;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
@@ -4104,6 +4272,9 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
         v7 = sqrt(v6);
         (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, square_t + (least_t * least + least * least_t));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = v7;
+        v8 = (*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP));
+        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * ((*cspan_at(&work_t, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work_t, high + layout__ROLLING_STRIP_SLIP)));
+        (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * v8;
     }
     return INT64_C(0);
 }
@@ -4144,9 +4315,9 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
         v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
         v2 = 0.5 * v1;
         v3 = v2 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
@@ -4163,6 +4334,8 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
         (*cspan_at(&work_t, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        (*cspan_at(&work_t, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP));
+        (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
         for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
         {
             other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
@@ -4209,9 +4382,9 @@ static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d table
     int64_t turning;
     derivative_stiffness__reaches_t(&near_x, &near_x_t, &near_y, &near_y_t, &near_spin, &near_spin_t, tables, table, near, near_t);
     derivative_stiffness__reaches_t(&far_x, &far_x_t, &far_y, &far_y_t, &far_spin, &far_spin_t, tables, table, far, far_t);
-    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(9) * i;
-    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(9) * i;
-    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(9) * i;
+    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
+    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
     (*cspan_at(&work_t, along + j)) = far_x_t - near_x_t;
     (*cspan_at(&work, along + j)) = far_x - near_x;
     (*cspan_at(&work_t, across + j)) = far_y_t - near_y_t;
@@ -4274,8 +4447,9 @@ static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, doub
 }
 
 /* Derivative of ``solve_blocks``. */
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations)
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations, int64_t sides)
 {
+    int64_t stop;
     int64_t k;
     int64_t pivot;
     double v1;
@@ -4286,78 +4460,116 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
     double factor_t;
     double factor;
     int64_t j;
+    int64_t side;
     int64_t back;
     double value_t;
     double value;
     int64_t known;
     double v2;
+    stop = layout__BLOCK_COUNT + sides;
     for (k = INT64_C(0); k < layout__BLOCK_COUNT; k += INT64_C(1))
     {
-        pivot = equations + INT64_C(9) * k;
+        pivot = equations + INT64_C(10) * k;
         v1 = 1.0 / (*cspan_at(&work, pivot + k));
         inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
         inverse = v1;
         for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
         {
-            row = equations + INT64_C(9) * i;
+            row = equations + INT64_C(10) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT + INT64_C(1); j += INT64_C(1))
+            for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
             {
                 (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
-    for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
+    for (side = layout__BLOCK_COUNT; side < stop; side += INT64_C(1))
     {
-        k = layout__BLOCK_COUNT - INT64_C(1) - back;
-        pivot = equations + INT64_C(9) * k;
-        value_t = (*cspan_at(&work_t, pivot + layout__BLOCK_COUNT));
-        value = (*cspan_at(&work, pivot + layout__BLOCK_COUNT));
-        for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
         {
-            known = equations + INT64_C(9) * j;
-            value_t = value_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, known + layout__BLOCK_COUNT)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, known + layout__BLOCK_COUNT)));
-            value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + layout__BLOCK_COUNT));
+            k = layout__BLOCK_COUNT - INT64_C(1) - back;
+            pivot = equations + INT64_C(10) * k;
+            value_t = (*cspan_at(&work_t, pivot + side));
+            value = (*cspan_at(&work, pivot + side));
+            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+            {
+                known = equations + INT64_C(10) * j;
+                value_t = value_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, known + side)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, known + side)));
+                value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
+            }
+            v2 = value / (*cspan_at(&work, pivot + k));
+            (*cspan_at(&work_t, pivot + side)) = (value_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+            (*cspan_at(&work, pivot + side)) = v2;
         }
-        v2 = value / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + layout__BLOCK_COUNT)) = (value_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + layout__BLOCK_COUNT)) = v2;
     }
     return INT64_C(0);
+}
+
+/* Derivative of ``creepage_shift``. */
+static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t)
+{
+    double missing_t;
+    double missing;
+    double stiff_t;
+    double stiff;
+    int64_t i;
+    int64_t block;
+    int64_t row;
+    double v1;
+    double area_t;
+    double area;
+    double v2;
+    missing_t = 0.0;
+    missing = 0.0;
+    stiff_t = 0.0;
+    stiff = 0.0;
+    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
+        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+        area_t = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)));
+        area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1;
+        v2 = (*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
+        missing_t = missing_t + (area_t * v2 + area * ((*cspan_at(&work_t, row + (layout__BLOCK_COUNT + INT64_C(1)))) - ((*cspan_at(&work_t, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) + (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)))));
+        missing = missing + area * v2;
+        stiff_t = stiff_t + (area_t * (*cspan_at(&work, row + layout__BLOCK_COUNT)) + area * (*cspan_at(&work_t, row + layout__BLOCK_COUNT)));
+        stiff = stiff + area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
+    }
+    (*v3) = missing / stiff;
+    (*result_1) = (missing_t - (*v3) * stiff_t) / stiff;
+    return 0;
 }
 
 /* Derivative of ``mean_share``. */
 static inline int64_t derivative_stiffness__mean_share_t(double* share, double* share_t, double ratio, double ratio_t)
 {
     double v1;
-    double v1_t;
     double v2;
     double v3;
+    double v3_t;
     double v4;
     double v4_t;
-    double v5;
-    double v5_t;
-    derivative_powers__log_rule_t(&v1, &v1_t, ratio, ratio_t);
-    v2 = v1 - stiffness__OWN_UNTIL;
-    v3 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
-    v4 = v2 / v3;
-    v4_t = v1_t / v3;
-    if (0.0 > v4)
+    v1 = log(ratio) - stiffness__OWN_UNTIL;
+    v2 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
+    v3 = v1 / v2;
+    v3_t = ratio_t / ratio / v2;
+    if (0.0 > v3)
     {
-        v4 = 0.0;
+        v3 = 0.0;
+        v3_t = 0.0;
+    }
+    v4 = v3;
+    v4_t = v3_t;
+    if (1.0 < v4)
+    {
+        v4 = 1.0;
         v4_t = 0.0;
     }
-    v5 = v4;
-    v5_t = v4_t;
-    if (1.0 < v5)
-    {
-        v5 = 1.0;
-        v5_t = 0.0;
-    }
-    (*share_t) = v5_t;
-    (*share) = v5;
+    (*share_t) = v4_t;
+    (*share) = v4;
     return 0;
 }
 
@@ -4526,12 +4738,9 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
 static inline int64_t derivative_tractions__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t)
 {
     double v1;
-    double v1_t;
-    double v2;
-    derivative_powers__log_rule_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
-    v2 = v1 - layout__SHAPE_START;
-    (*result_0) = v2 * layout__SHAPE_PER_UNIT;
-    (*result_1) = v1_t * layout__SHAPE_PER_UNIT;
+    v1 = log(axis_ratio) - layout__SHAPE_START;
+    (*result_0) = v1 * layout__SHAPE_PER_UNIT;
+    (*result_1) = axis_ratio_t / axis_ratio * layout__SHAPE_PER_UNIT;
     return 0;
 }
 

@@ -2941,10 +2941,15 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     double height_t;
     double slope;
     double slope_t;
+    double v2;
+    double v3;
+    double v4;
     double y;
     double y_t;
     double z;
     double z_t;
+    double down_t;
+    double down;
     number = INT64_C(0);
     while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
     {
@@ -2959,6 +2964,13 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         abscissa_t = v1_t;
         abscissa = v1;
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
+        v2 = 1.0 + slope * slope;
+        v3 = sqrt(v2);
+        v4 = 1.0 / v3;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = v4;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
         derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
@@ -2967,6 +2979,19 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
+    }
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+        {
+            strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+            down_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+            down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
+            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)));
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
+            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down_t);
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
+        }
     }
     return INT64_C(0);
 }

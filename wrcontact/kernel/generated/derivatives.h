@@ -55,14 +55,16 @@ static inline int64_t derivative_correction__missing_t(double* result_0, double*
 static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_coupled_strips.py */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
+static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t march, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, double* value_t, double z, double z_t);
 static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, double* depth_t, double* weight, double* weight_t, double square, double square_t, double v, double v_t, double k, double k_t, double a, double a_t);
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double shift, double shift_t, double width, double width_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__later_share_t(double* share, double* share_t, double depth, double depth_t, double ratio, double ratio_t);
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t);
+static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t march);
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double mean, double mean_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, double* result_1, double* v7, double* result_3, array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index);
+static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t strip, int64_t index);
+static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
@@ -76,6 +78,7 @@ static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, 
 static inline int64_t derivative_creepage__velocity_along_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double y, double y_t, double z, double z_t, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__reference_speed_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t);
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_creepage__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 
@@ -123,11 +126,11 @@ static inline int64_t derivative_estimate__first_penetration_t(double* v1, doubl
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 
 /* derivative_fastrip.py */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t march);
 static inline int64_t derivative_fastrip__longitudinal_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t);
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t);
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip);
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, int64_t march, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t);
+static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t);
+static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip);
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_fastsim.py */
@@ -149,6 +152,7 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
 
 /* derivative_forces.py */
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__about_axle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double moment_x, double moment_x_t, double moment_y, double moment_y_t, double moment_z, double moment_z_t);
 static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double plane, double plane_t, double across, double across_t);
 static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double mirror, double mirror_t);
@@ -199,9 +203,9 @@ static inline int64_t derivative_locus__outline_x_t(double* result_0, double* re
 
 /* derivative_march.py */
 static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t);
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last);
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number);
+static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
+static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last);
+static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number);
 static inline int64_t derivative_march__sqrt_of_t(double* root, double* root_t, double value, double value_t);
 static inline int64_t derivative_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t);
 static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t);
@@ -386,7 +390,8 @@ static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, doub
 static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t);
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t j, double near, double near_t, double far, double far_t);
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations);
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations, int64_t sides);
+static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_stiffness__mean_share_t(double* share, double* share_t, double ratio, double ratio_t);
 static inline int64_t derivative_stiffness__not_below_t(double* result_0, double* result_1, double value, double value_t, double least, double least_t);
 static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_double_1d work_t, double share, double share_t);

@@ -2189,8 +2189,9 @@ static inline int64_t patch_places__close_place(array_double_1d work, int64_t pa
     return INT64_C(0);
 }
 
-/* Where the strips of a patch are in the track, and the wheel's rolling radius there.  Wheel and rail lie
- * on each other: from the point of the patch's first region on, both abscissae run alike.
+/* Where the strips of a patch are in the track, the rail's inclination, and the wheel's rolling radius
+ * there.  Wheel and rail lie on each other: from the point of the patch's first region on, both abscissae
+ * run alike.
  */
 static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch)
 {
@@ -2204,6 +2205,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
     double slope;
     double y;
     double z;
+    double down;
     number = INT64_C(0);
     while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
     {
@@ -2216,11 +2218,23 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
         abscissa = patch_places__abscissa_at(tables, work, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
         tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
         rails__on_track(&y, &z, work, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, height);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
         tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
+    }
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+        {
+            strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+            down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
+        }
     }
     return INT64_C(0);
 }

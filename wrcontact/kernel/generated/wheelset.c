@@ -32,6 +32,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
 
 /* wheelset/forces.py */
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z);
 static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch);
 static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
 static inline int64_t forces__add_forces(array_double_1d work, int64_t total, int64_t part, double mirror);
@@ -980,78 +981,102 @@ static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, 
     return INT64_C(0);
 }
 
-/* Add the creep force of a patch to its forces: longitudinal tractions act at their strips, with the
- * rolling radius as their arm about the axle, all else at the centre of load.
+/* Add the creep force of a patch to its forces: tractions act at their strips, in the strips' own planes,
+ * and what a model adds to the strips acts at the centre of load.  About the axle all have the rolling
+ * radius as their arm.
  */
 static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t forces;
-    double sine;
-    double cosine;
-    double x;
-    double y;
-    double z;
-    double rest;
+    double rest_x;
+    double rest_y;
     double turning;
-    double along_y;
-    double along_z;
-    double rolled;
-    int64_t i;
-    int64_t strip;
-    double force;
-    double strip_y;
-    double strip_z;
     double force_y;
     double force_z;
     double moment_x;
     double moment_y;
     double moment_z;
-    double torque;
     double missing;
+    int64_t i;
+    int64_t strip;
+    double along;
+    double across;
+    double spinning;
+    double down;
+    double x;
+    double y;
+    double z;
+    double lever_x;
+    double lever_y;
+    double lever_z;
+    double sine;
+    double cosine;
     forces = patch + layout__PATCH_FORCES;
-    sine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
-    x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    rest = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
+    rest_x = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
+    rest_y = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
     turning = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    along_y = 0.0;
-    along_z = 0.0;
-    rolled = 0.0;
+    force_y = 0.0;
+    force_z = 0.0;
+    moment_x = 0.0;
+    moment_y = 0.0;
+    moment_z = 0.0;
+    missing = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        force = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        strip_y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        strip_z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        rest -= force;
-        turning += (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * force;
-        along_y += strip_y * force;
-        along_z += strip_z * force;
-        rolled += (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * ((*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * strip_z - (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * strip_y) * force;
+        along = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        across = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        spinning = (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        rest_x -= along;
+        rest_y -= across;
+        turning += (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along - spinning;
+        spinning -= (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
+        down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * across;
+        across *= (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
+        x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+        lever_x = y * down - z * across;
+        lever_y = z * along - x * down;
+        lever_z = x * across - y * along;
+        force_y += across;
+        force_z += down;
+        moment_x += lever_x;
+        moment_y += lever_y - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * spinning;
+        moment_z += lever_z + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning;
+        missing += ((*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
     }
-    along_y += y * rest;
-    along_z += z * rest;
-    force_y = cosine * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    force_z = (-sine) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    moment_x = y * force_z - z * force_y;
-    moment_y = along_z - x * force_z + sine * turning;
-    moment_z = x * force_y - along_y + cosine * turning;
-    rolled += (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) * (((*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * y) * rest + ((*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * z) * force_y + ((*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * x) * force_z);
-    torque = rolled + turning * (sine * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + cosine * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)));
-    /* about the axle tractions have the arm of the wheel's circumference */
-    missing = torque - (moment_x * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_y * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_z * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)));
+    sine = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    cosine = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    across = cosine * rest_y;
+    down = sine * rest_y;
+    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    lever_x = y * down - z * across;
+    lever_y = z * rest_x - (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * down;
+    lever_z = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * across - y * rest_x;
+    missing += ((*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
+    moment_x += lever_x;
+    moment_y += lever_y - sine * turning;
+    moment_z += lever_z + cosine * turning;
     (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) += (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) += force_y;
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) += force_z;
+    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) += force_y + across;
+    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) += force_z + down;
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) += moment_x + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_X));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) += moment_y + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) += moment_z + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -torque;
+    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -(forces__about_axle(work, motion, moment_x, moment_y, moment_z) + missing);
     (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__PATCH_SPEED))) * friction__creep_gain(work, patch);
     (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) + fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
     return INT64_C(0);
+}
+
+/* The part about the axle of a moment about the wheelset's centre. */
+static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z)
+{
+    double result;
+    result = moment_x * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_y * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_z * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
+    return result;
 }
 
 /* Add the forces of a patch to those of its wheel, or those of a wheel to the wheelset's; ``mirror`` = -1
@@ -1800,7 +1825,7 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
  *
  * Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
  *
- *     shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
+ *     shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + w_y F_y + phi_i M_i)
  *
  * so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
  * edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
@@ -1812,8 +1837,8 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    motion__open_motion(work, tables, right);
-    motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+    motion__open_motion(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
+    motion__open_motion(work, tables, right, 1.0);
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -1987,7 +2012,7 @@ static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, in
     slip = 0.0;
     if (force > 0.0)
     {
-        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
         if (power > 0.0)
         {
             slip = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power / force;
@@ -2127,10 +2152,10 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -circle__atan(rail_slope);
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-circle__atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
     frame__measure_contact(tables, work, pair);

@@ -22,7 +22,7 @@ CORRECTION_RATIOS: Final[int] = 9
 CORRECTION_ELEVATIONS: Final[int] = 5
 CORRECTION_AZIMUTHS: Final[int] = 13
 CORRECTION_RADII: Final[int] = 12
-CORRECTION_COLUMNS: Final[int] = 3   # force_x, force_y over mu N, moment over mu N sqrt(ab)
+CORRECTION_COLUMNS: Final[int] = 4   # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
 CORRECTION_SCALES: Final[int] = 3 * CORRECTION_RATIOS
 CORRECTION_LINE: Final[int] = CORRECTION_RADII * CORRECTION_COLUMNS
 CORRECTION_SIZE: Final[int] = (CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS
@@ -99,14 +99,15 @@ class RollingBlock:
     start: float                    # stations of its edges [m]
     stop: float
     half_length: float              # [m]
+    slip: float                     # mean longitudinal creepage [-]
     along: float                    # its stiffnesses K1, K2, K3 [Pa], eq. (K3)
     across: float
     turning: float
 
 
-#: Equations of the blocks: coefficients of the unknowns, then the right-hand side, which becomes the
-#: solution.
-BlockRow = run(BLOCK_COUNT + 1)
+#: Equations of the blocks: coefficients of the unknowns, then two right-hand sides, which become the
+#: solutions: for unit creepages, and for the longitudinal ones of the blocks.
+BlockRow = run(BLOCK_COUNT + 2)
 BlockMatrix = BlockRow * BLOCK_COUNT
 RollingBlocks = RollingBlock * BLOCK_COUNT
 
@@ -123,6 +124,8 @@ class RollingMarch:
     along: float                    # stiffnesses K1, K2, K3 [Pa]
     across: float
     turning: float
+    spread: float                   # s^2 [m^2] of eq. (Z3)
+    carried: float                  # its share of the force of linear theory
     weight: float                   # c, how much the stick zone counts; 0: the strip slips all over
     depth: float                    # d, half the length of the slip zone [m]
     stick_x: float                  # e, direction of the stick zone's traction
@@ -186,8 +189,10 @@ class Rolling:
     bare: bool                      # whether only the sum over the strips is asked for
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
     blocks: RollingBlocks
+    shift: float                    # of longitudinal creepages where strips begin to slip [-], eq. (K4)
     equations_x: BlockMatrix        # of the blocks, for longitudinal and lateral creepage and for spin
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
-    march: RollingMarch
+    march: RollingMarch             # of FaStrip, one strip after the other
+    begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches

@@ -71,9 +71,13 @@ class RollingStrip:
     x: float                        # how far its middle is ahead of the centre of load [m]
     half_length: float              # [m]
     line_load: float                # load per width [N/m]
-    slip: float                     # its longitudinal creepage [-]
+    slip: float                     # its longitudinal creepage [-],
+    lateral: float                  # its lateral one on its middle [-]
+    spin: float                     # and its spin [1/m], about its own normal
     y_track: float                  # track coordinates of its middle [m]
     z_track: float
+    cos: float                      # of the rail's inclination there, downwards to the field side: its normal
+    sin: float                      # is (0, sin, -cos)
     rolling_radius: float           # there [m],
     radius_share: float             # and over its distance from the axle [-]
     force_x: float                  # creep force on the wheel per width [N/m],

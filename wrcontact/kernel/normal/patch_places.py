@@ -125,8 +125,9 @@ def close_place(patch: Patch):
 
 
 def place_strips(pair: Pair, contact: Contact, patch: Patch):
-    """Where the strips of a patch are in the track, and the wheel's rolling radius there.  Wheel and rail lie
-    on each other: from the point of the patch's first region on, both abscissae run alike."""
+    """Where the strips of a patch are in the track, the rail's inclination, and the wheel's rolling radius
+    there.  Wheel and rail lie on each other: from the point of the patch's first region on, both abscissae
+    run alike."""
     number = 0
     while number < REGION_LIMIT - 1 and patch.loads[number] == 0.0:
         number += 1
@@ -136,8 +137,16 @@ def place_strips(pair: Pair, contact: Contact, patch: Patch):
         strip = patch.strips[index]
         abscissa = abscissa_at(pair, contact.frame, region, strip.station - region.offset - region.station)
         height, slope = height_slope(pair.rail, abscissa)
+        strip.cos = 1.0 / sqrt(1.0 + slope * slope)
+        strip.sin = slope * strip.cos
         y, z = on_track(place, pair.rail_y, pair.rail_y + abscissa, height)
         strip.y_track = y
         strip.z_track = z
         height, slope = height_slope(pair.wheel, region.wheel + abscissa - region.rail)
         strip.rolling_radius = pair.radius + height
+    if place.leaning:
+        for index in range(ROLLING_STRIP_LIMIT):
+            strip = patch.strips[index]
+            down = strip.cos
+            strip.cos = place.rail_cos * down - place.rail_sin * strip.sin
+            strip.sin = place.rail_cos * strip.sin + place.rail_sin * down

@@ -56,51 +56,69 @@ def press_patch(motion: Motion, patch: Patch):
 
 
 def rub_patch(motion: Motion, patch: Patch):
-    """Add the creep force of a patch to its forces: longitudinal tractions act at their strips, with the
-    rolling radius as their arm about the axle, all else at the centre of load."""
+    """Add the creep force of a patch to its forces: tractions act at their strips, in the strips' own planes,
+    and what a model adds to the strips acts at the centre of load.  About the axle all have the rolling
+    radius as their arm."""
     forces = patch.forces
-    sine = patch.angle_sin
-    cosine = patch.angle_cos
-    x = patch.x_track
-    y = patch.y_track - motion.centre_y
-    z = patch.z_track - motion.centre_z
-    rest = patch.creep_x
+    rest_x = patch.creep_x
+    rest_y = patch.creep_y
     turning = patch.creep_moment
-    along_y = 0.0
-    along_z = 0.0
-    rolled = 0.0
+    force_y = 0.0
+    force_z = 0.0
+    moment_x = 0.0
+    moment_y = 0.0
+    moment_z = 0.0
+    missing = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
-        force = strip.force_x * strip.width
-        strip_y = strip.y_track - motion.centre_y
-        strip_z = strip.z_track - motion.centre_z
-        rest -= force
-        turning += strip.y * force
-        along_y += strip_y * force
-        along_z += strip_z * force
-        rolled += strip.radius_share * (motion.axle_y * strip_z - motion.axle_z * strip_y) * force
-    along_y += y * rest
-    along_z += z * rest
-    force_y = cosine * patch.creep_y
-    force_z = -sine * patch.creep_y
-    moment_x = y * force_z - z * force_y
-    moment_y = along_z - x * force_z + sine * turning
-    moment_z = x * force_y - along_y + cosine * turning
-    rolled += patch.radius_share * ((motion.axle_y * z - motion.axle_z * y) * rest
-                                    + (motion.axle_z * x - motion.axle_x * z) * force_y
-                                    + (motion.axle_x * y - motion.axle_y * x) * force_z)
-    torque = rolled + turning * (sine * motion.axle_y + cosine * motion.axle_z)
-    # about the axle tractions have the arm of the wheel's circumference
-    missing = torque - (moment_x * motion.axle_x + moment_y * motion.axle_y + moment_z * motion.axle_z)
+        along = strip.force_x * strip.width
+        across = strip.force_y * strip.width
+        spinning = strip.moment * strip.width
+        rest_x -= along
+        rest_y -= across
+        turning += strip.y * along - spinning
+        spinning -= strip.x * across
+        down = strip.sin * across
+        across *= strip.cos
+        x = patch.x_track + strip.x
+        y = strip.y_track - motion.centre_y
+        z = strip.z_track - motion.centre_z
+        lever_x = y * down - z * across
+        lever_y = z * along - x * down
+        lever_z = x * across - y * along
+        force_y += across
+        force_z += down
+        moment_x += lever_x
+        moment_y += lever_y - strip.sin * spinning
+        moment_z += lever_z + strip.cos * spinning
+        missing += (strip.radius_share - 1.0) * about_axle(motion, lever_x, lever_y, lever_z)
+    sine = -patch.angle_sin
+    cosine = patch.angle_cos
+    across = cosine * rest_y
+    down = sine * rest_y
+    y = patch.y_track - motion.centre_y
+    z = patch.z_track - motion.centre_z
+    lever_x = y * down - z * across
+    lever_y = z * rest_x - patch.x_track * down
+    lever_z = patch.x_track * across - y * rest_x
+    missing += (patch.radius_share - 1.0) * about_axle(motion, lever_x, lever_y, lever_z)
+    moment_x += lever_x
+    moment_y += lever_y - sine * turning
+    moment_z += lever_z + cosine * turning
     forces.force[0] += patch.creep_x
-    forces.force[1] += force_y
-    forces.force[2] += force_z
+    forces.force[1] += force_y + across
+    forces.force[2] += force_z + down
     forces.moment[0] += moment_x + missing * motion.axle_x
     forces.moment[1] += moment_y + missing * motion.axle_y
     forces.moment[2] += moment_z + missing * motion.axle_z
-    forces.driving_torque = -torque
+    forces.driving_torque = -(about_axle(motion, moment_x, moment_y, moment_z) + missing)
     forces.friction_power = -patch.speed * creep_gain(patch)
     forces.wear_number = fabs(patch.creep_x * patch.creepage_x) + fabs(patch.creep_y * patch.creepage_y)
+
+
+def about_axle(motion: Motion, moment_x: float, moment_y: float, moment_z: float):
+    """The part about the axle of a moment about the wheelset's centre."""
+    return moment_x * motion.axle_x + moment_y * motion.axle_y + moment_z * motion.axle_z
 
 
 def add_forces(total: Forces, part: Forces, mirror: float):

@@ -5,7 +5,7 @@ Shear and slip over the outline of a wheel, for models of wear.
 
 Of a strip with the creep force F_i and the power P_i per width and the half-length a_i
 
-    shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + eta F_y + phi M_z)
+    shear = |F_i| / (2 a_i),   slip = P_i / |F_i|,   P_i = -V_ref (w_x F_x + w_y F_y + phi_i M_i)
 
 so that shear times slip is the friction power per area, as the strip has it from its leading to its trailing
 edge.  Elastic deformation takes and gives back power within a strip and is no part of P_i.  Between the
@@ -127,7 +127,8 @@ def strip_slip(patch: Patch, strip: RollingStrip):
     force = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y)
     slip = 0.0
     if force > 0.0:
-        power = -(strip.slip * strip.force_x + patch.creepage_y * strip.force_y + patch.spin * strip.moment)
+        power = -(strip.slip * strip.force_x + (strip.lateral - strip.spin * strip.x) * strip.force_y
+                  + strip.spin * strip.moment)
         if power > 0.0:
             slip = patch.speed * power / force
     return slip
