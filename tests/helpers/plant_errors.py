@@ -18,14 +18,11 @@
 Needs Pyccel (``pip install ".[dev]"``) and a C compiler. Each error is planted in a copy of the repository,
 never here, and the copy's kernel is translated and compiled as tools/transpile_kernel.py and
 tools/compile_kernel.py do it. So the compiled kernel of a copy agrees with its source, and no test sees an
-error by that alone. All copies are translated in one run of Pyccel: a module with an error stands there
-beside the others, under another name, since what it calls and what calls it is translated as before. In the
-end the tests that have failed are run without any error, and have to pass. Every run works in folders of its
+error by that alone (plant_kernel.py). In the end the tests that have failed are run without any error, and have to pass. Every run works in folders of its
 own, so several can run at a time, within a test run too.
 """
 
 import argparse
-import copy
 import os
 import re
 import shutil
@@ -39,6 +36,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from tests.helpers.paths import ROOT
+from tests.helpers.plant_kernel import changed_files, generated
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
@@ -61,30 +59,6 @@ PATIENCE = 1800
 NO_TESTS = (4, 5)
 
 Outcome = namedtuple("Outcome", "error seen test seconds")
-
-
-def translate_all(trees):
-    """Generated files of the kernels in ``trees``, in one run of Pyccel; the first one is without error."""
-    import tools.transpile_kernel as tool
-
-    kernels = [tree / "wrcontact" / "kernel" for tree in trees]
-    of_kernel = [tool.read_modules(kernel) for kernel in kernels]
-    plain = {module.name: module for module in of_kernel[0]}
-    # (number of the kernel, name): the module under another name
-    others = {}
-    for number, modules in enumerate(of_kernel):
-        for module in modules:
-            if module.text != plain[module.name].text:
-                other = others[number, module.name] = copy.copy(module)
-                other.name = f"{module.name}_v{number}"
-                other.path = module.path.with_name(f"{other.name}.py")
-    raw = tool.run_pyccel([*plain.values(), *others.values()])
-    for number, (kernel, modules) in enumerate(zip(kernels, of_kernel)):
-        own = {name: raw[name] for name in plain}
-        for (of, name), other in others.items():
-            if of == number:
-                own[name] = tuple(text.replace(other.name, name) for text in raw[other.name])
-        yield tool.assemble(kernel, modules, own)
 
 
 def compile_tree(tree):
@@ -167,9 +141,9 @@ def plant(errors, workers, tests, options=()):
     whether the tests that have failed pass without any error. ``options`` are pytest's."""
     with tempfile.TemporaryDirectory() as folder:
         plain, trees = copies(errors, folder)
-        for tree, files in zip([plain, *trees], translate_all([plain, *trees])):
+        for tree, files in zip(trees, changed_files(plain, trees, workers)):
             for name, text in files.items():
-                (tree / "wrcontact" / "kernel" / "generated" / name).write_bytes(text.encode())
+                (generated(tree) / name).write_bytes(text.encode())
         with ThreadPoolExecutor(workers) as pool:
             outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair), options), zip(errors, trees)))
         compile_tree(plain)
