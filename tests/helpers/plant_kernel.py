@@ -20,7 +20,8 @@ def changed_files(plain, trees, workers=2):
     if not own:
         return [{} for _ in trees]
     with ProcessPoolExecutor(workers) as pool:
-        first, *others = pool.map(tool.read_modules, [tree / "wrcontact" / "kernel" for tree in (plain, *own)])
+        kernels = [tree / "wrcontact" / "kernel" for tree in (plain, *own)]
+        first, *others = pool.map(tool.read_modules, kernels)
     before = {module.name: module for module in first}
     pairs = [[(before[module.name], module) for module in modules
               if module.text != before[module.name].text] for modules in others]
@@ -43,9 +44,10 @@ def same(plain, tree, folder):
 def translated(modules, pairs):
     """Pyccel's header and code by name, of all modules that some copy changes and, with the copy's number at
     its name, of what it has in their place."""
-    import tools.transpile_kernel as tool
     from differentiate.modules import Kernel
     from transpile.cache import stubs
+
+    import tools.transpile_kernel as tool
 
     changed = {was.name: was for found in pairs for was, _ in found}
     for number, found in enumerate(pairs):

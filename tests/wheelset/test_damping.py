@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers import motion
 from tests.helpers.cases import system
-from tests.helpers.motion import about_x, runge_kutta, velocity
+from tests.helpers.motion import about_x, runge_kutta
 
 FORCE, DAMPING = 78.5e3, 0.4
 POSES = [(0.0, 0.0), (3e-3, 0.01), (5.2e-3, 0.0), (-6.2e-3, -0.015)]
@@ -58,10 +59,11 @@ def approach(patch, state, sign, moves):
     both are moved by finite displacements, the rail about its highest point."""
     side = {1: "right", -1: "left"}[sign]
     place = np.array([patch.x_track, patch.y_track, patch.z_track])
-    wheel = velocity(place, centre=np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46]),
-                     yaw=state["yaw"], roll=state.roll, lateral=moves.get("lateral_velocity", 0.0),
-                     vertical=moves.get("vertical_velocity", 0.0), yaw_rate=moves.get("yaw_rate", 0.0),
-                     roll_rate=moves.get("roll_rate", 0.0))
+    centre = np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46])
+    wheel = motion.velocity(place, centre=centre, yaw=state["yaw"], roll=state.roll,
+                            lateral=moves.get("lateral_velocity", 0.0),
+                            vertical=moves.get("vertical_velocity", 0.0), yaw_rate=moves.get("yaw_rate", 0.0),
+                            roll_rate=moves.get("roll_rate", 0.0))
     top = np.array([0.0, sign * system().profile_tables()[2], 0.0])
     turn = 1e-6 * moves.get(f"{side}_rail_roll_velocity", 0.0)
     rail = (about_x(turn) - about_x(-turn)) @ (place - top) / 2e-6
