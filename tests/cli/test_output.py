@@ -70,6 +70,19 @@ def test_netcdf(run, tmp_path, table):
         np.testing.assert_array_equal(data["status"][:], table.status)
 
 
+@pytest.mark.full
+def test_parts_of_a_netcdf_file_follow_each_other(tmp_path, table):
+    """Three parts of a table, with 5, 1 and 7 poses."""
+    netcdf = pytest.importorskip("netCDF4")
+    shifts = np.arange(13, 16.1, 0.25) / 1e3
+    with tables.TableFile(tmp_path / "a.nc", "netcdf").open(13) as write:
+        for part in np.split(shifts, [5, 6]):
+            write(ContactSystem().evaluate_many(lateral_shift=part))
+    with netcdf.Dataset(tmp_path / "a.nc") as data:
+        np.testing.assert_array_equal(data["status"][:], table.status)
+        np.testing.assert_array_equal(data["pressure"][:, 1], table.right.outline.pressure)
+
+
 @pytest.mark.parametrize("ending, package", [("parquet", "pyarrow"), ("nc", "netCDF4")])
 def test_a_missing_package_is_one_sentence(run, tmp_path, monkeypatch, ending, package):
     monkeypatch.setitem(sys.modules, package, None)

@@ -133,6 +133,24 @@ def test_vertical_load_includes_friction(pose, mode):
     assert abs(state.right.normal.force.z + 96e3) > 30.0, "friction carries nothing here"
 
 
+def test_a_wheel_that_friction_carries_has_no_solution():
+    """A flange that climbs carries N (cos angle - mu sin angle) at most, where all friction points down the
+    flange or up it: below mu = cot(angle) the load is met, well beyond no normal force is enough, and that is
+    a status, not a load that is missed."""
+    contact = system(load="vertical", tangential_model="polach")
+    climbing = {"lateral_shift": 7e-3, "yaw": -0.03, "speed": 20.0}
+    smooth = contact.evaluate(**climbing, right_friction=0.0)
+    jams = 1.0 / np.tan(max(patch.contact_angle for patch in smooth.right.patches))
+    assert 0.3 < jams < 0.6
+    for share in (0.3, 0.8):
+        state = contact.evaluate(**climbing, right_friction=share * jams)
+        assert state.status == wrcontact.Status.VALID
+        assert -state.right.force.z == pytest.approx(78.5e3, rel=1e-8)
+    for share in (2.0, 3.0):
+        state = contact.evaluate(**climbing, right_friction=share * jams)
+        assert state.status == wrcontact.Status.NOT_CONVERGED
+
+
 def test_falling_friction():
     """Polach's form, with the sliding velocity V sqrt(xi^2 + eta^2), where all slides."""
     fall = {"friction_fall": 0.4, "friction_fall_rate": 0.6}

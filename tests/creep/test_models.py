@@ -58,17 +58,26 @@ def test_bounds_power_and_symmetries(name):
 @pytest.mark.parametrize("name", CREEP_MODELS)
 def test_rolling_backwards_is_the_mirror_image(name):
     """In the plane across the rail: longitudinal creepage, spin, force along x and moment change sign, and so
-    do the places of the strips."""
+    do the places of the strips, and of each its force along x and its moment."""
     model = Model(name)
     for number, patch, saturation, friction in draws(11, 60, 1.0):
         scale, bound, size = full_slip(patch, friction)
         motion = saturation * scale
         image = replace(patch, slant=-patch.slant)
-        forward = vector(model.solve(image, *(motion * (-1.0, 1.0, -1.0)), friction))
+        found = model.solve(image, *(motion * (-1.0, 1.0, -1.0)), friction)
+        forward, ahead = vector(found), of_strips(found)
         model.rolling.backwards = True
-        back = vector(model.solve(patch, *motion, friction))
+        found = model.solve(patch, *motion, friction)
+        back, behind = vector(found), of_strips(found)
         model.rolling.backwards = False
         np.testing.assert_allclose(back, forward * (-1.0, 1.0, -1.0), atol=1e-12 * bound, err_msg=str(number))
+        np.testing.assert_allclose(behind, ahead * (-1.0, 1.0, -1.0, -1.0),
+                                   atol=1e-12 * (np.abs(ahead).max() or 1.0), err_msg=str(number))
+
+
+def of_strips(found):
+    """Force along and across per width, moment per width and place (strips, 4) of the strips of a patch."""
+    return np.array([(strip.force_x, strip.force_y, strip.moment, strip.x) for strip in found.strips])
 
 
 @pytest.mark.parametrize("name", CREEP_MODELS)

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.inside import work_of
 from tests.helpers.motion import slips
@@ -58,6 +59,31 @@ def test_a_rigid_wheelset_follows_its_rails(shift, yaw, sides):
     assert status == Status.VALID
     # heights and rolls are found to 1e-14 over 1e-5 s, and the run's curvature adds 1e-10 of its velocities
     np.testing.assert_allclose(found, differences(one, given, motion, 1e-5), rtol=1e-6, atol=1e-9)
+
+
+@pytest.mark.parametrize("model", ["hertz", "analyn"])
+@pytest.mark.parametrize("shift, yaw", POSES)
+def test_the_pressures_of_an_elastic_wheelset_take_no_power(shift, yaw, model):
+    """In the velocities that follow from contact each wheel's force and moment, those of the outputs, give
+    the wheelset what they take from the rail, which rolls about its highest point."""
+    given = dict(lateral_shift=shift, yaw=yaw, **RAILS)
+    motion = dict(lateral_velocity=0.03, yaw_rate=0.5, **MOVING)
+    stepper = system(contact_mode="elastic", normal_model=model).stepper()
+    status, (vertical, roll_rate) = derived(stepper, given, motion)
+    state = wrcontact.WheelsetState(stepper.outputs, status, stepper.inputs)
+    rotation = np.array([roll_rate * math.cos(yaw), roll_rate * math.sin(yaw), 0.5])
+    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
+    for side, name, sign in ((state.left, "left", -1), (state.right, "right", 1)):
+        rail = {key.removeprefix(f"{name}_rail_"): value for key, value in (RAILS | MOVING).items()}
+        top = np.array([0.0, sign * system().profile_tables()[2] + rail["lateral"], rail["vertical"]])
+        force, moment = np.array(side.normal.force), np.array(side.normal.moment)
+        terms = np.array([*force * [0.0, 0.03, vertical], *moment * rotation,
+                          *-force * [0.0, rail["lateral_velocity"], rail["vertical_velocity"]],
+                          -rail["roll_velocity"] * (moment + np.cross(centre - top, force))[0]])
+        # sums of some ten numbers
+        assert abs(terms.sum()) < 1e-12 * np.abs(terms).sum()
+        # what yaw adds is asked as well
+        assert yaw == 0.0 or abs(terms[4]) > 1e-6 * np.abs(terms).sum()
 
 
 #: A motion of 1 m/s across the rails, or of the rail's crown of 0.3 m radius below the wheel.

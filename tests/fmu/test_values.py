@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.helpers.cases import OUTPUT_NAMES, RUNS, poses, pressed_poses, stored
+from tests.helpers.cases import LEFT_SIDE, OUTPUT_NAMES, RUNS, poses, pressed_poses, stored
 from tests.helpers.fmus import WARM_START, assert_same, evaluated, session, stepped
 from tests.helpers.output_witnesses import SCENES, Scene
 from wrcontact import ContactSystem
@@ -46,6 +46,17 @@ def test_parameters_arrive(run, case):
     seen = run("first_instant", start=start)
     assert_same(seen["after_initialisation"], stepped(session(**start), {}))
     assert seen["after_initialisation"]["right.area"] != seen["default"]["right.area"]
+
+
+@pytest.mark.parametrize("name, value", LEFT_SIDE.items())
+def test_what_differs_on_the_left_alone_arrives(run, name, value):
+    """A left wheel, rail, radius or inclination of its own: the other three are those of the right side."""
+    start = {"lateral_shift": 3e-3, "yaw": 1e-3}
+    plain = stepped(session(**start), {})
+    seen = run("first_instant", start={**start, name: value})["after_initialisation"]
+    assert_same(seen, stepped(session(**start, **{name: value}), {}))
+    # and it counts: where the left wheel touches, or how the wheelset stands
+    assert seen["left.contact.y_wheel"] != plain["left.contact.y_wheel"] and seen["roll"] != plain["roll"]
 
 
 def test_contact_modes_arrive(run):

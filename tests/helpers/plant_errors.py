@@ -10,6 +10,8 @@
         the full tests too
     python -m tests.helpers.plant_errors --list
         names, places and meanings
+    python -m tests.helpers.plant_errors --share 6 --turn 3
+        so many of those that one test file sees, and only that file; every turn has others
     python -m tests.helpers.plant_errors --random 20 --seed 1
         as many at random places of the kernel instead, to measure the tests
     python -m tests.helpers.plant_errors --lines 20 --seed 1
@@ -18,14 +20,11 @@
 Needs Pyccel (``pip install ".[dev]"``) and a C compiler. Each error is planted in a copy of the repository,
 never here, and the copy's kernel is translated and compiled as tools/transpile_kernel.py and
 tools/compile_kernel.py do it. So the compiled kernel of a copy agrees with its source, and no test sees an
-error by that alone. All copies are translated in one run of Pyccel: a module with an error stands there
-beside the others, under another name, since what it calls and what calls it is translated as before. In the
-end the tests that have failed are run without any error, and have to pass. Every run works in folders of its
-own, so several can run at a time, within a test run too.
+error by that alone (plant_kernel.py). In the end the tests that have failed are run without any error, and
+have to pass. Every run works in folders of its own, so several can run at a time, within a test run too.
 """
 
 import argparse
-import copy
 import os
 import re
 import shutil
@@ -39,6 +38,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from tests.helpers.paths import ROOT
+from tests.helpers.plant_kernel import changed_files, generated
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
@@ -61,30 +61,6 @@ PATIENCE = 1800
 NO_TESTS = (4, 5)
 
 Outcome = namedtuple("Outcome", "error seen test seconds")
-
-
-def translate_all(trees):
-    """Generated files of the kernels in ``trees``, in one run of Pyccel; the first one is without error."""
-    import tools.transpile_kernel as tool
-
-    kernels = [tree / "wrcontact" / "kernel" for tree in trees]
-    of_kernel = [tool.read_modules(kernel) for kernel in kernels]
-    plain = {module.name: module for module in of_kernel[0]}
-    # (number of the kernel, name): the module under another name
-    others = {}
-    for number, modules in enumerate(of_kernel):
-        for module in modules:
-            if module.text != plain[module.name].text:
-                other = others[number, module.name] = copy.copy(module)
-                other.name = f"{module.name}_v{number}"
-                other.path = module.path.with_name(f"{other.name}.py")
-    raw = tool.run_pyccel([*plain.values(), *others.values()])
-    for number, (kernel, modules) in enumerate(zip(kernels, of_kernel)):
-        own = {name: raw[name] for name in plain}
-        for (of, name), other in others.items():
-            if of == number:
-                own[name] = tuple(text.replace(other.name, name) for text in raw[other.name])
-        yield tool.assemble(kernel, modules, own)
 
 
 def compile_tree(tree):
@@ -145,6 +121,12 @@ def examine(error, tree, tests, options):
     return outcome
 
 
+def shared(count, turn):
+    """So many errors that one file of tests sees without building an FMU, others in every ``turn``."""
+    quick = [error for error in ERRORS if error.first.endswith(".py") and not error.first.startswith("fmu/")]
+    return [quick[(turn * count + k) % len(quick)] for k in range(min(count, len(quick)))]
+
+
 def row(outcome):
     error, test = outcome.error, outcome.test if outcome.seen else "NOT SEEN"
     return f"| {error.name} | {source_of(error).name} | {error.meaning} | {test} | {outcome.seconds:.0f} s |"
@@ -167,9 +149,9 @@ def plant(errors, workers, tests, options=()):
     whether the tests that have failed pass without any error. ``options`` are pytest's."""
     with tempfile.TemporaryDirectory() as folder:
         plain, trees = copies(errors, folder)
-        for tree, files in zip([plain, *trees], translate_all([plain, *trees])):
+        for tree, files in zip(trees, changed_files(plain, trees, workers)):
             for name, text in files.items():
-                (tree / "wrcontact" / "kernel" / "generated" / name).write_bytes(text.encode())
+                (generated(tree) / name).write_bytes(text.encode())
         with ThreadPoolExecutor(workers) as pool:
             outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair), options), zip(errors, trees)))
         compile_tree(plain)
@@ -190,6 +172,9 @@ def main(arguments=None):
                         help="run the full tests too, not only those of 'make check'")
     parser.add_argument("--tests", nargs="+", default=[], metavar="FILE",
                         help="run only the tests of these files and folders")
+    parser.add_argument("--share", type=int, default=0, metavar="N",
+                        help="plant so many that one test file sees, and run that file")
+    parser.add_argument("--turn", type=int, default=0, help="which share; each turn has other errors")
     parser.add_argument("--random", type=int, default=0, metavar="N",
                         help="plant so many errors at random places instead")
     parser.add_argument("--lines", type=int, default=0, metavar="N",
@@ -201,6 +186,8 @@ def main(arguments=None):
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
     errors = list(random_errors(options.random, options.seed)) if options.random else [
         error for error in ERRORS if not options.names or error.name in options.names]
+    if options.share:
+        errors = shared(options.share, options.turn)
     if options.lines:
         print(*drawn_lines(options.lines, options.seed), sep="\n")
         return 0
@@ -212,9 +199,10 @@ def main(arguments=None):
     print("| error | module | meaning | seen by | after |\n|---|---|---|---|---|", flush=True)
 
     def tests(error, tree):
-        return options.tests or ordered_tests(tree, error.first, options.short)
+        alone = [f"tests/{error.first}"] if options.share else []
+        return options.tests or alone or ordered_tests(tree, error.first, options.short)
 
-    chosen = ["-m", "not complete"] if options.full else []
+    chosen = ["-m", "not complete"] if options.full or options.share else []
     outcomes, right = plant(errors, options.workers, tests, chosen)
     seen = sum(outcome.seen for outcome in outcomes)
     print(f"\n{seen} of {len(outcomes)} errors are seen, in {time.perf_counter() - begin:.0f} s")

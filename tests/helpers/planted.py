@@ -3,6 +3,7 @@
 from collections import namedtuple
 
 from tests.helpers.paths import ROOT
+from tests.helpers.planted_laws import LAWS
 
 #: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room or the file
 #: ``first`` run before all others. ``module`` is the flat name of the kernel's file, or the path of a
@@ -133,6 +134,7 @@ ERRORS = [
     Error("drawn_bound", "low = min(max(low, start), stop)", "low = max(max(low, start), stop)",
           "the search takes the bends at the end of a profile for those of a stretch", "search",
           "prepare_scan"),
+    *(Error(*law) for law in LAWS),
 ]
 
 

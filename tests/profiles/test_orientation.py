@@ -1,6 +1,7 @@
 """Rails that are already inclined or have their gauge side at larger y, and the options of ProfileFile."""
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import wrcontact
 from tests.helpers.foreign_files import inclined_rail, worn_rail
 from tests.helpers.profile_points import MM, Y, Z, columns, error, miniprof, points, read, simpack
 from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
-from wrcontact.profiles.orientation import head_of
+from wrcontact.profiles.orientation import _gauge_side, head_of
 from wrcontact.profiles.repair import BACK
 
 AGAIN = "in the file, and a rail_inclination that is not 0 inclines it again"
@@ -87,6 +88,45 @@ def test_a_text_rail_is_not_mirrored_but_reported(tmp_path):
     mirrored, said = read_with(path, mirror_y=True)
     assert "gauge side" not in said and mirrored.start == pytest.approx(-profile.stop, abs=1e-4)
     assert "gauge side" not in read_with(path, mirror_y=False)[1]
+
+
+#: Half-width of a head of our own [mm].
+SIDE = 30.0
+
+
+def head(y_top=0.0, wider=0.0):
+    """y, z (n,) [mm] of a head that is 60 mm wide and 30 mm high: straight lines through its highest point at
+    ``y_top`` and the corners 5 and 14 mm below it, of which the one at smaller y is ``wider`` by so much [mm]
+    than the other."""
+    corners = [(-SIDE - 1.0, 30.0), (-SIDE, 14.0), (-SIDE + 5.0 + wider, 5.0), (y_top, 0.0),
+               (SIDE - 5.0, 5.0), (SIDE, 14.0), (SIDE + 1.0, 30.0)]
+    places = np.array(corners)
+    y = np.arange(-SIDE - 1.0, SIDE + 1.0, 0.1)
+    return y, np.interp(y, *places.T)
+
+
+@pytest.mark.parametrize("wider, side", [(0.6, 0), (1.7, -1), (-0.6, 0), (-1.7, 1)])
+def test_a_corner_that_is_wider_by_a_millimetre_is_the_gauge_s(wider, side):
+    """Its width lies between the depths 5 and 14 mm."""
+    found = head_of(*head(wider=wider))
+    # means over 2 mm round the corners, by a tenth
+    assert found.rounder == pytest.approx(wider, abs=0.2)
+    assert _gauge_side(replace(found, scatter=1.0, aside=0.0))[0] == side
+
+
+@pytest.mark.parametrize("y_top, side", [(1.4, 0), (2.8, -1), (-1.4, 0), (-2.8, 1)])
+def test_the_highest_point_is_away_from_the_gauge_side(y_top, side):
+    """Wear at the gauge corner moves it to the field side, by two millimetres and more."""
+    found = head_of(*head(y_top=y_top))
+    assert found.aside == pytest.approx(y_top, abs=0.2)
+    assert _gauge_side(replace(found, scatter=1.0, rounder=0.0))[0] == side
+
+
+def test_corner_and_highest_point_that_disagree_tell_nothing():
+    found = head_of(*head(y_top=-2.8, wider=1.7))
+    assert _gauge_side(replace(found, scatter=1.0)) == (0, "")
+    agreeing = _gauge_side(replace(head_of(*head(y_top=2.8, wider=1.7)), scatter=1.0))
+    assert agreeing[0] == -1 and "corner there is wider" in agreeing[1] and "highest point is" in agreeing[1]
 
 
 def test_an_ambiguous_shape_is_reported(tmp_path):

@@ -8,7 +8,8 @@ import sys
 import pytest
 
 from tests.helpers.paths import ROOT, TESTS
-from tests.helpers.plant_errors import copies, ordered_tests, translate_all
+from tests.helpers.plant_errors import copies, ordered_tests, shared
+from tests.helpers.plant_kernel import changed_files, generated
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 from tools.transpile_kernel import Module, run_pyccel, translate
@@ -26,6 +27,12 @@ def test_an_error_can_be_planted_in_today_s_sources(error):
 
 def test_names_are_unique():
     assert len({error.name for error in ERRORS}) == len(ERRORS) >= 10
+
+
+def test_turns_of_a_share_come_to_every_error_that_a_file_sees():
+    quick = {error.name for error in ERRORS if error.first.endswith(".py") and "fmu/" not in error.first}
+    turns = [{error.name for error in shared(6, turn)} for turn in range(len(quick) // 6 + 1)]
+    assert set().union(*turns) == quick and all(len(turn) == 6 for turn in turns)
 
 
 def test_random_errors_can_be_planted():
@@ -64,8 +71,9 @@ def test_the_tests_of_an_error_s_room_run_first_and_all_others_after_them():
 def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
     plain, (tree,) = copies([error for error in ERRORS if error.name == "hertz_cell"], tmp_path)
-    _, files = translate_all([plain, tree])
-    assert files == translate(tree / "wrcontact" / "kernel")
+    (files,) = changed_files(plain, [tree])
+    there = {path.name: path.read_text(encoding="utf-8") for path in generated(plain).glob("*.[ch]")}
+    assert there | files == translate(tree / "wrcontact" / "kernel") != there
 
 
 @pytest.mark.complete

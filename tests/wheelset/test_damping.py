@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers import motion
 from tests.helpers.cases import system
-from tests.helpers.motion import runge_kutta
+from tests.helpers.motion import about_x, runge_kutta
 
 FORCE, DAMPING = 78.5e3, 0.4
 POSES = [(0.0, 0.0), (3e-3, 0.01), (5.2e-3, 0.0), (-6.2e-3, -0.015)]
@@ -43,6 +44,68 @@ def test_forces_grow_with_the_approach(shift, yaw, model):
         np.testing.assert_array_equal(after.outline.pressure, before.outline.pressure)
     np.testing.assert_allclose(vector(moving.left.moment) + vector(moving.right.moment),
                                vector(moving.moment), rtol=0, atol=1e-12 * FORCE)
+
+
+#: Each motion alone, of the size that moves a place at the rail's top by about 0.1 m/s, and all together.
+MOVES = [{"lateral_velocity": 0.1}, {"vertical_velocity": 0.1}, {"yaw_rate": 0.5}, {"roll_rate": 0.15},
+         {"left_rail_lateral_velocity": 0.1, "right_rail_lateral_velocity": -0.1},
+         {"left_rail_vertical_velocity": -0.1, "right_rail_vertical_velocity": 0.1},
+         {"left_rail_roll_velocity": 5.0, "right_rail_roll_velocity": 5.0}]
+MOVES.append({name: value for move in MOVES for name, value in move.items()})
+
+
+def approach(patch, state, sign, moves):
+    """Speed [m/s] at which the wheel and the rail at a patch's centre of load come together along its normal;
+    both are moved by finite displacements, the rail about its highest point."""
+    side = {1: "right", -1: "left"}[sign]
+    place = np.array([patch.x_track, patch.y_track, patch.z_track])
+    centre = np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46])
+    wheel = motion.velocity(place, centre=centre, yaw=state["yaw"], roll=state.roll,
+                            lateral=moves.get("lateral_velocity", 0.0),
+                            vertical=moves.get("vertical_velocity", 0.0), yaw_rate=moves.get("yaw_rate", 0.0),
+                            roll_rate=moves.get("roll_rate", 0.0))
+    top = np.array([0.0, sign * system().profile_tables()[2], 0.0])
+    turn = 1e-6 * moves.get(f"{side}_rail_roll_velocity", 0.0)
+    rail = (about_x(turn) - about_x(-turn)) @ (place - top) / 2e-6
+    rail[1] += moves.get(f"{side}_rail_lateral_velocity", 0.0)
+    rail[2] += moves.get(f"{side}_rail_vertical_velocity", 0.0)
+    return (wheel - rail) @ [0.0, sign * np.sin(patch.contact_angle), np.cos(patch.contact_angle)]
+
+
+@pytest.mark.parametrize("moves", MOVES, ids=lambda moves: "+".join(moves)[:24])
+@pytest.mark.parametrize("shift, yaw", [(2e-3, 0.02), (-6.2e-3, -0.015)])
+def test_forces_grow_with_the_approach_of_wheel_and_rail(shift, yaw, moves):
+    """By 1 + damping times the approach of both bodies, in all their motions; the wheel's centre of load is
+    that of its patches."""
+    still, moving = pressed(shift, yaw), pressed(shift, yaw, **moves)
+    for sign, before, after in ((-1, still.left, moving.left), (1, still.right, moving.right)):
+        factors = [1 + DAMPING * approach(patch, moving, sign, moves) for patch in before.patches]
+        # differences over 1e-6 s
+        np.testing.assert_allclose([patch.normal_force for patch in after.patches],
+                                   [factor * patch.normal_force for factor, patch
+                                    in zip(factors, before.patches)], rtol=1e-8)
+        loads = np.array([patch.normal_force for patch in after.patches])
+        assert after.patch_centroid == pytest.approx(
+            loads @ [patch.centroid for patch in after.patches] / loads.sum(), rel=1e-12)
+        moment = sum(np.cross([patch.x_track, patch.y_track, patch.z_track]
+                              - np.array([0.0, shift, moving.vertical_shift - 0.46]), vector(patch.force))
+                     for patch in after.patches)
+        # a patch that turns has the moments of its regions, which its one place misses by some tenths of mm
+        np.testing.assert_allclose(vector(after.moment), moment, rtol=0, atol=3e-4 * loads.sum())
+
+
+@pytest.mark.parametrize("model", ["strips", "fastsim"])
+def test_friction_carries_what_damping_adds(model):
+    """Where all slides the creep force is friction times the damped load."""
+    state = system(contact_mode="elastic").evaluate(3e-3)
+    contact = system(contact_mode="compliant", contact_damping=DAMPING, tangential_model=model)
+    moving = contact.evaluate(3e-3, vertical_shift_input=state.vertical_shift, roll_input=state.roll,
+                              vertical_velocity=0.5, speed=10.0, free_rolling=False)
+    for before, after in ((state.left, moving.left), (state.right, moving.right)):
+        assert after.normal_force > 1.15 * before.normal_force
+        # a locked wheel slides at every strip; FASTSIM's slip starts behind the leading edge
+        assert np.hypot(after.force.x, after.force.y - after.normal.force.y) == pytest.approx(
+            0.3 * after.normal_force, rel=2e-3)
 
 
 def test_never_adhesive():

@@ -12,24 +12,27 @@ def assemble(kernel, modules, raw):
     """Text of every generated file by name, from what Pyccel has made of the ``modules``:
     ``raw``, by module name."""
     plain, rated = ([module for module in modules if module.derivative == kind] for kind in (False, True))
-    constants = constant_values(kernel, plain)
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
-    step, prepare = ([module for module in plain if (module.room == "prepare") == kind]
-                     for kind in (False, True))
-    files = {"constants.h": header("CONSTANTS", "What the kernel's numbers stand for", "../native/spans.h",
-                                   (tidy_constants(module, constants[module.name]) for module in plain)),
+    files = {"constants.h": constants_header(kernel, plain),
              "derivatives.h": header("DERIVATIVES", "The differentiated kernel's functions", "constants.h",
                                      (tidy_prototypes(module, raw[module.name][0]) for module in rated))}
     for room in dict.fromkeys(module.room for module in modules if module.functions):
         files[f"{room}.c"] = room_file(room, [module for module in modules if module.room == room], raw)
     for module in modules:
         refuse_unknown_calls(module, tidy_code(module, raw[module.name][1]), functions)
-    files["unit.c"] = unit(step, FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
+    files["unit.c"] = step_unit(kernel, plain)
     files["prepare_unit.c"] = part_unit("What prepares the kernel's tables.", plain,
-                                        {module.name for module in prepare})
+                                        {module.name for module in plain if module.room == "prepare"})
     files["derivative_unit.c"] = part_unit("The kernel with a rate beside every value.", modules,
                                         {module.name for module in rated})
     return files
+
+
+def constants_header(kernel, modules):
+    """The header with the constants of the ``modules``."""
+    constants = constant_values(kernel, modules)
+    return header("CONSTANTS", "What the kernel's numbers stand for", "../native/spans.h",
+                  (tidy_constants(module, constants[module.name]) for module in modules))
 
 
 def constant_values(kernel, modules):
@@ -65,11 +68,12 @@ def room_file(room, modules, raw):
     return "\n\n".join(["\n".join([*lines, ""]), *codes])
 
 
-def unit(modules, fingerprint):
-    """The file that includes all others."""
+def step_unit(kernel, modules):
+    """The file with the kernel's fingerprint that includes all rooms of a step."""
+    fingerprint = FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest())
     lines = [f"/* The whole kernel. {NOTE}. */",
              f"#define WRCONTACT_KERNEL_FINGERPRINT INT64_C(0x{fingerprint:015x})", ""]
-    rooms = dict.fromkeys(module.room for module in modules if module.functions)
+    rooms = dict.fromkeys(module.room for module in modules if module.functions and module.room != "prepare")
     lines += [f'#include "{room}.c"' for room in rooms]
     return "\n".join(lines) + "\n"
 
