@@ -325,10 +325,10 @@ static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array
         missing_t = missing_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * v2 + v1 * v2_t);
         missing = missing + v1 * v2;
     }
-    sine_t = -(cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
-    sine = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    cosine_t = (-sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE));
-    cosine = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    sine_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN));
+    sine = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
+    cosine_t = (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+    cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     across_t = cosine_t * rest_y + cosine * rest_y_t;
     across = cosine * rest_y;
     down_t = sine_t * rest_y + sine * rest_y_t;
@@ -825,8 +825,8 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__open_motion_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0, 0.0);
-    derivative_motion__open_motion_t(work, work_t, tables, right, 1.0, 0.0);
+    derivative_motion__open_motion_t(work, work_t, tables, right);
+    derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -1233,6 +1233,10 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     double z_track_t;
     double v4;
     double v4_t;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
     bool touches;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
@@ -1275,12 +1279,14 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) = z_track_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
+    derivative_circle__atan_rule_t(&v4, &v4_t, rail_slope, rail_slope_t);
+    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -v4_t;
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -v4;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-(rail_slope_t / (1.0 + rail_slope * rail_slope))) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+        derivative_circle__atan_rule_t(&v5, &v5_t, rail_slope, rail_slope_t);
+        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-v5_t) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-v5) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
@@ -1292,9 +1298,9 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4_t;
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v4;
+        derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v6_t;
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v6;
     }
     touches = 1;
     if (fabs(mismatch) >= side__PARALLEL)

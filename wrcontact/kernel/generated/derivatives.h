@@ -141,6 +141,7 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
 
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);
@@ -182,7 +183,7 @@ static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* r
 static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 
 /* derivative_hertz_contact.py */
-static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, double* result_1, double* v10, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region);
 static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t);
 static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);

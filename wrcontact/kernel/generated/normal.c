@@ -21,7 +21,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
 /* normal/coefficients.py */
-static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio);
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
 static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
@@ -48,11 +48,11 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing);
-static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip, double contact_angle);
+static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip);
 static inline int64_t node_patches__add_part(double* load, double* moment, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
 static inline double node_patches__peak_square(double before, double square, double after);
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k, double contact_angle);
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k);
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
 
 /* normal/nodes.py */
@@ -450,13 +450,15 @@ static inline double analyn__penetration_move(double force, double total, double
 {
     double following;
     double newton;
+    double root;
     following = 0.5 * (low + high);
     if (slope > 0.0)
     {
         newton = penetration + (force - total - rest) / slope;
         if ((fabs(force - total) > analyn__NEARLY * force) && (total > 0.0))
         {
-            newton = penetration + (1.5 * total * (pow((force / total), (2.0 / 3.0)) - 1.0) - rest) / slope;
+            root = powers__cube_root(force / total);
+            newton = penetration + (1.5 * total * (root * root - 1.0) - rest) / slope;
         }
         if ((newton > low) && (newton < high))
         {
@@ -713,12 +715,13 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
  *     A < B:                 m = L,    n = L q,  r the same
  *
- * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
+ * so that the three combinations ANALYN needs are functions of B/A alone:
  *
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
- * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
- * (kernel/binding/fixed_tables.py).
+ * and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
+ * where an exponent and a difference find the place, exact to 1e-12
+ * (kernel/binding/exact_tables.py).
  *
  * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
  * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
@@ -733,16 +736,22 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  * (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
  */
 
-/* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
-static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
+/* Value of column 0 (1 + alpha) or 6 (n r) at the ``ratio`` B/A; clamped to the table's range. */
+static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio)
 {
+    int64_t octave;
+    double place;
     int64_t cell;
     double u;
     int64_t at;
     double high;
     double result;
-    tables__table_cell(&cell, &u, (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)));
-    at = layout__HERTZ_ROW * cell + column;
+    ratio = double_min(2, double_max(2, coefficients__LEAST_RATIO, ratio), coefficients__MOST_RATIO);
+    octave = binary__exponent(ratio);
+    place = (double)(layout__HERTZ_CELLS) * (ratio * binary__power_of_two(-octave) - 1.0);
+    cell = (int64_t)(place);
+    u = place - (double)(cell);
+    at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
     high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
     result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
     return result;
@@ -752,9 +761,9 @@ static inline double coefficients__table_value(array_double_1d tables, int64_t t
 static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
 {
     double ratio;
-    ratio = log(B / A);
+    ratio = B / A;
     (*result_0) = coefficients__table_value(tables, table, INT64_C(0), ratio);
-    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), -ratio);
+    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), A / B);
     (*result_2) = coefficients__table_value(tables, table, INT64_C(6), ratio);
     return 0;
 }
@@ -974,9 +983,9 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         {
             coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
         }
-        alpha = coefficients__table_value(tables, table, INT64_C(0), log(secant / A));
-        beta = coefficients__table_value(tables, table, INT64_C(0), log(A / side));
-        nr = coefficients__table_value(tables, table, INT64_C(6), log(B / A));
+        alpha = coefficients__table_value(tables, table, INT64_C(0), secant / A);
+        beta = coefficients__table_value(tables, table, INT64_C(0), A / side);
+        nr = coefficients__table_value(tables, table, INT64_C(6), B / A);
         if (yawed)
         {
             alpha *= alpha_factor;
@@ -1026,7 +1035,7 @@ static inline double estimate__guess_penetration(double force, double A, double 
 {
     double share;
     share = 0.75 * force / contact_modulus;
-    return pow((share * share * (1.0 + estimate__TYPICAL_RATIO) * A), (1.0 / 3.0));
+    return powers__cube_root(share * share * (1.0 + estimate__TYPICAL_RATIO) * A);
 }
 
 /* Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
@@ -1044,6 +1053,7 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
     double one_beta;
     double nr;
     double stiffness;
+    double root;
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     widths__measure_widths(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
@@ -1059,7 +1069,8 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
     }
     coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
     stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    return pow((force / stiffness), (2.0 / 3.0));
+    root = powers__cube_root(force / stiffness);
+    return root * root;
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
@@ -1135,7 +1146,7 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
     filling__clear_patches(work, side);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE);
     filling__add_load(work, patch, INT64_C(0), load, 0.0);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
@@ -1158,12 +1169,14 @@ static inline int64_t hertz_contact__press_ellipse(double* result_0, double* res
     double one_alpha;
     double one_beta;
     double nr;
+    double root;
     coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
     (*stiffness) = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
-        (*penetration) = pow((force / ((*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness))), (2.0 / 3.0));
+        root = powers__cube_root(force / ((*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness)));
+        (*penetration) = root * root;
     }
     (*result_0) = sqrt((*penetration) / (one_alpha * A));
     (*result_1) = sqrt((*penetration) / (one_beta * B));
@@ -1236,7 +1249,6 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
     int64_t strips;
     int64_t index;
     int64_t region;
-    double angle;
     int64_t k_end;
     int64_t k;
     filling__clear_patches(work, side);
@@ -1251,11 +1263,10 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             node_patches__fill_strips(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
-            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                node_patches__add_cell(work, side, index, k, angle);
+                node_patches__add_cell(work, side, index, k);
             }
         }
     }
@@ -1312,7 +1323,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
 /* Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
  * new one that begins in it.
  */
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k, double contact_angle)
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k)
 {
     int64_t region;
     int64_t nodes;
@@ -1367,7 +1378,7 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side,
             begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        index = node_patches__patch_from(work, side, region, begin, strip + k, contact_angle);
+        index = node_patches__patch_from(work, side, region, begin, strip + k);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(strip + k + INT64_C(1));
@@ -1407,7 +1418,7 @@ static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t 
 /* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
  * to: the last one if that ends there, else a new one.
  */
-static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip, double contact_angle)
+static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip)
 {
     bool joined;
     int64_t last;
@@ -1425,7 +1436,7 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t sid
     if (!joined)
     {
         filling__finish_patch(work, side);
-        index = filling__begin_patch(work, side, region, start, strip, layout__RULE_QUADRATIC, contact_angle);
+        index = filling__begin_patch(work, side, region, start, strip, layout__RULE_QUADRATIC);
     }
     return index;
 }
@@ -1835,7 +1846,7 @@ static inline double nodes__zone_share(array_double_1d tables, double A, double 
 {
     double share;
     side = double_max(2, side, coefficients__FLOOR * A);
-    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
+    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / side);
     if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = nodes__COVER;
@@ -2177,6 +2188,7 @@ static inline double patch_places__abscissa_at(array_double_1d tables, array_dou
 static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch)
 {
     double load;
+    double slope;
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
     {
@@ -2184,7 +2196,10 @@ static inline int64_t patch_places__close_place(array_double_1d work, int64_t pa
         (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) /= load;
         (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) /= load;
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) /= load;
-        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -atan((*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / (-(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z))));
+        slope = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / (-(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)));
+        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -circle__atan(slope);
+        (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = 1.0 / sqrt(1.0 + slope * slope);
+        (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = (-slope) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     }
     return INT64_C(0);
 }
@@ -3143,7 +3158,7 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t side
     start = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
     stop = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
+    index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
@@ -4185,8 +4200,8 @@ static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, arra
         B = sqrt(low * high);
         coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
         lean = 0.0;
-        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / low));
-        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / high));
+        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
+        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
         if (frame__is_yawed(work))
         {
             slant = strip_surfaces__ridge_slant(work, index);

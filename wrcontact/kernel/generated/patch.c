@@ -3,6 +3,7 @@
 
 /* patch/filling.py */
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side);
+static inline int64_t filling__forget(array_double_1d work, int64_t patch);
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule);
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
@@ -61,7 +62,6 @@ static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule)
 {
     int64_t patch;
-    int64_t i_1;
     int64_t index;
     index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     if (index == layout__SOLVED_PATCH_LIMIT)
@@ -70,10 +70,7 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     }
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
-    {
-        (*cspan_at(&work, patch + i_1)) = 0.0;
-    }
+    filling__forget(work, patch);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
     (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
@@ -85,6 +82,42 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     (*cspan_at(&work, patch + layout__PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
     return index;
+}
+
+/* No load, no rank and no motion.  The strips along the rolling direction are cut anew before they are
+ * read: to clear them too would cost a rigid step 3 %.
+ */
+static inline int64_t filling__forget(array_double_1d work, int64_t patch)
+{
+    int64_t i_1;
+    int64_t i_2;
+    int64_t i_3;
+    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
+    }
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
+    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
+    {
+        (*cspan_at(&work, patch + layout__PATCH_LOADS + i_2)) = 0.0;
+    }
+    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
+    {
+        (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
+    }
+    (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
+    return INT64_C(0);
 }
 
 /* Add load [N] and moment [N m] in a region to a patch. */

@@ -1046,8 +1046,8 @@ static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, in
         moment_z += lever_z + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning;
         missing += ((*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
     }
-    sine = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    cosine = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    sine = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
+    cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     across = cosine * rest_y;
     down = sine * rest_y;
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
@@ -1837,8 +1837,8 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    motion__open_motion(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, -1.0);
-    motion__open_motion(work, tables, right, 1.0);
+    motion__open_motion(work, tables, right);
+    motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -2152,10 +2152,10 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -atan(rail_slope);
+    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -circle__atan(rail_slope);
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-circle__atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
     frame__measure_contact(tables, work, pair);
