@@ -64,6 +64,7 @@ static inline int64_t derivative_filling__forget_t(array_double_1d work, array_d
     int64_t i_1;
     int64_t i_2;
     int64_t i_3;
+    int64_t i_4;
     for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
     {
         (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
@@ -85,6 +86,25 @@ static inline int64_t derivative_filling__forget_t(array_double_1d work, array_d
     }
     (*cspan_at(&work_t, patch + layout__PATCH_RANK)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
+    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
+        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
+    }
     (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
     (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;

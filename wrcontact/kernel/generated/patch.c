@@ -84,7 +84,7 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     return index;
 }
 
-/* No load, no rank and no motion.  The strips along the rolling direction are cut anew before they are
+/* No load, no rank, no place and no motion.  The strips along the rolling direction are cut anew before they are
  * read: to clear them too would cost a rigid step 3 %.
  */
 static inline int64_t filling__forget(array_double_1d work, int64_t patch)
@@ -92,6 +92,7 @@ static inline int64_t filling__forget(array_double_1d work, int64_t patch)
     int64_t i_1;
     int64_t i_2;
     int64_t i_3;
+    int64_t i_4;
     for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
     {
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
@@ -107,6 +108,17 @@ static inline int64_t filling__forget(array_double_1d work, int64_t patch)
         (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
     }
     (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
+    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
+    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    {
+        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
+    }
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;

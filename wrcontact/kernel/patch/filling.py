@@ -38,7 +38,7 @@ def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule
 
 
 def forget(patch: Patch):
-    """No load, no rank and no motion.  The strips along the rolling direction are cut anew before they are
+    """No load, no rank, no place and no motion.  The strips along the rolling direction are cut anew before they are
     read: to clear them too would cost a rigid step 3 %."""
     clear(patch.totals)
     patch.pressure_square = 0.0
@@ -46,6 +46,14 @@ def forget(patch: Patch):
     clear(patch.loads)
     clear(patch.moments)
     patch.rank = 0
+    patch.penetration = 0.0
+    patch.x_track = 0.0
+    patch.y_track = 0.0
+    patch.z_track = 0.0
+    patch.rolling_radius = 0.0
+    patch.normal_y = 0.0
+    patch.normal_z = 0.0
+    clear(patch.normal_moment)
     patch.creepage_x = 0.0
     patch.creepage_y = 0.0
     patch.spin = 0.0
