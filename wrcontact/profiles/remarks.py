@@ -6,6 +6,7 @@ import warnings
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from ..methods.caller import warn_caller
 from ..methods.numbers import UnusualValueWarning
 
 
@@ -37,7 +38,7 @@ class Refusal(ValueError):
 def remark(kind, name, remarks):
     """Give one :class:`ProfileWarning` with all ``remarks`` on a profile, if there are any."""
     if remarks:
-        warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=4)
+        warn_caller(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning)
 
 
 @contextmanager
