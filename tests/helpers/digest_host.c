@@ -51,7 +51,8 @@ static void run_case(const double *sizes)
     p.work = zeros(wrcontact_prepare_room(&p));
     array_double_1d inputs = given(count * layout__INPUT_COUNT), outputs = zeros(count * row), statuses = zeros(count);
     array_double_1d outcome = zeros(1), rates = zeros(derivatives * row), seed = zeros(layout__INPUT_COUNT);
-    outcome.data[0] = wrcontact_prepare(&p);
+    const int64_t used = wrcontact_prepare(&p);
+    outcome.data[0] = (double)used;
     const wrcontact_handle handle = {p.tables, zeros(layout__STATE_SIZE), zeros(layout__WORK_SIZE),
                                      zeros(layout__INPUT_COUNT), zeros(row)};
     wrcontact_step_many(&handle, count, inputs.data, outputs.data, statuses.data);
@@ -65,7 +66,7 @@ static void run_case(const double *sizes)
         wrcontact_derivative(&handle, seed.data, rates.data + k * row, room);
     }
     write(outcome, 1);
-    write(p.tables, p.tables.shape[0]);
+    write(p.tables, used > 0 ? used : 0);
     write(outputs, count * row);
     write(statuses, count);
     write(rates, derivatives * row);

@@ -1,5 +1,5 @@
-"""Digests of what the kernel computes, which are the same on every machine: tables, and steps of every contact
-mode with every normal and tangential model.
+"""Digests of what the kernel computes, which are the same on every machine: tables, and steps of every
+contact mode with every normal and tangential model.
 
     python -m tests.helpers.digests                         this Python's kernel, against the stored digests
     python -m tests.helpers.digests --write                 stores them anew, because results were changed
@@ -39,8 +39,8 @@ STORED = HELPERS / "digests.json"
 #: Poses of a case, and after how many there is a digest; of how many there are derivatives.
 POSES, PARTS, DERIVATIVES = 1000, (3, 100, 1000), 10
 #: Targets of zig for programs that need no library of that machine, and what runs them here.
-TARGETS = {"aarch64-linux": ("aarch64-linux-musl", "-static"), "x86_64-linux": ("x86_64-linux-musl", "-static"),
-           "x86_64-windows": ("x86_64-windows-gnu",)}
+TARGETS = {"aarch64-linux": ("aarch64-linux-musl", "-static"),
+           "x86_64-linux": ("x86_64-linux-musl", "-static"), "x86_64-windows": ("x86_64-windows-gnu",)}
 EMULATORS = {"aarch64-linux": "qemu-aarch64", "x86_64-windows": "wine"}
 FRICTION = {"flange_friction_ratio": 0.5, "friction_fall": 0.4, "friction_fall_rate": 0.6,
             "slope_reduction": 0.5, "slope_reduction_rate": 0.5, "slope_reduction_floor": 0.3}
@@ -95,7 +95,8 @@ def size_of(name, yawed, moved):
         return 0.02
     sizes = {"lateral_shift": 7e-3, "yaw": 0.03 if yawed else 0.0, "normal_force": 5e4, "load_transfer": 0.4,
              "vertical_shift_input": 3e-4, "roll_input": 2e-3, "speed": 10.0, "lateral_velocity": 0.1,
-             "vertical_velocity": 0.02, "roll_rate": 0.05, "yaw_rate": 0.1, "left.friction": 0.2, "right.friction": 0.2, "track_curvature": 1e-3}
+             "vertical_velocity": 0.02, "roll_rate": 0.05, "yaw_rate": 0.1, "left.friction": 0.2,
+             "right.friction": 0.2, "track_curvature": 1e-3}
     return sizes.get(name, 0.0)
 
 
@@ -181,7 +182,8 @@ def write_plan(file, parameters, rows):
     arrays = plan_of(parameters)
     _, tables = default_kernel().prepare(*(array.copy() for array in arrays))
     row = row_size(layout.Tables.at(tables))
-    head = [*map(len, arrays), len(tables), len(rows), row, min(DERIVATIVES, len(rows))]
+    # the preparation has to have more room than its tables need in the end
+    head = [*map(len, arrays), 4 * len(tables), len(rows), row, min(DERIVATIVES, len(rows))]
     with file.open("ab") as written:
         for array in (head, *arrays, rows):
             np.array(array, dtype=float).tofile(written)
@@ -214,7 +216,8 @@ def differences(found):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--zig", action="store_true")
     parser.add_argument("--on", choices=TARGETS)

@@ -78,7 +78,7 @@ def build_description(units):
     root = Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = SubElement(root, "BuildConfiguration", modelIdentifier=MODEL)
     files = SubElement(configuration, "SourceFileSet", language="C11", compiler="gcc",
-                       compilerOptions="-O3 -ffp-contract=off")
+                       compilerOptions="-O3 -ffp-contract=off -fno-math-errno")
     for name in units:
         SubElement(files, "SourceFile", name=name)
     SubElement(configuration, "Library", name="m", external="true", description="mathematical functions of C")

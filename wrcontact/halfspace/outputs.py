@@ -129,6 +129,7 @@ def fill_force(patch, total):
     patch.normal_y, patch.normal_z = total[1:3]
     patch.normal_moment[:] = total[3:]
     patch.contact_angle = math.atan2(-total[1], -total[2])
+    patch.angle_sin, patch.angle_cos = math.sin(patch.contact_angle), math.cos(patch.contact_angle)
 
 
 def resultant(wheel, centre, pressure=None):

@@ -14,6 +14,7 @@ from fmpy.build import build_platform_binary
 from tests.helpers.cases import OUTPUT_NAMES, poses
 from tests.helpers.fmus import assert_same, needs_compiler, needs_glibc, run_scenario
 from tests.helpers.paths import ROOT
+from tests.helpers.platforms import MATHEMATICS
 from wrcontact.fmu import native
 from wrcontact.kernel.binding import compiler
 from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
@@ -42,12 +43,27 @@ def test_command_line_refuses_in_a_sentence(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.skipif(not shutil.which("nm"), reason="nm, which lists symbols, is not installed")
+@pytest.mark.parametrize("version", (2, 3))
+def test_no_mathematical_library_is_needed(fmus, tmp_path, version):
+    """Its functions differ from machine to machine in their last bits."""
+    place = PLATFORMS[host_platform()]
+    entry = f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}"
+    with zipfile.ZipFile(fmus[version]) as archive:
+        library = archive.extract(entry, tmp_path)
+    listed = subprocess.run(["nm", "-D", "--undefined-only", library], text=True, capture_output=True,
+                            check=True)
+    names = {line.split()[-1].partition("@")[0] for line in listed.stdout.splitlines()}
+    assert "memcpy" in names and not names & MATHEMATICS
+
+
 def test_other_contents_give_another_token(fmus, packed):
     tokens = [read_model_description(str(fmu)).instantiationToken for fmu in (fmus[3], packed[0][3])]
     assert tokens[0] != tokens[1]
 
 
-SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that the build description names
+#: The language that the build description names.
+SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2", "-fno-math-errno"]
 
 
 @pytest.mark.full
@@ -86,7 +102,7 @@ def compile_as_described(version, description, library):
     listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
     units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
     assert units == native.compiled_units(version)
-    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True,
+    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library)], cwd=sources, text=True,
                           capture_output=True)
     assert done.returncode == 0, done.stderr
 

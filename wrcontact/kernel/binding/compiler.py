@@ -31,13 +31,12 @@ from .files import HERE, LIBRARY_NAME, PLATFORMS, host_platform, library_name
 #: optimisation of the first does not depend on the others.
 KERNEL_UNITS = tuple(f"kernel/native/{file.name}" for file in sorted((HERE / "native").glob("*.c")))
 
-# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS
-# is not read.  Without errno several roots are taken at once; gcc would then also write sin(atan(x)) as a
-# root, which has other last bits, if it knew what atan is.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-builtin-atan",
-         "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration", "-fPIC")
+# No fused a*b + c: the results are those of the Python source, to the last bit, on every machine.  For the
+# same reason CFLAGS is not read.  Without errno a root is an instruction: no mathematical library is needed.
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-g0",
+         "-Werror=implicit-function-declaration", "-fPIC")
 ZIG = (sys.executable, "-m", "ziglang", "cc")
-PROBE = "#include <math.h>\ndouble probe(double x) { return sin(x); }\n"
+PROBE = "#include <math.h>\ndouble probe(double x) { return sqrt(x); }\n"
 #: Environment variable: a folder in which compiled sources are kept where the caller names none.
 KEPT = "WRCONTACT_COMPILED"
 
@@ -68,7 +67,7 @@ def makes_library(command):
     """Whether ``command`` compiles and links; a compiler may be installed without headers."""
     with tempfile.TemporaryDirectory() as scratch:
         Path(scratch, "probe.c").write_text(PROBE)
-        built = run([*command, "-shared", *FLAGS, "probe.c", "-o", LIBRARY_NAME, "-lm"], scratch)
+        built = run([*command, "-shared", *FLAGS, "probe.c", "-o", LIBRARY_NAME], scratch)
         return built.returncode == 0
 
 
@@ -139,7 +138,7 @@ def linked(command, folder, sources, library, links=(), cache=None, watch=None):
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(watch(pool.map(compiled, sources), len(sources)))
         output = Path(scratch, library)
-        checked([*command, "-shared", *links, *objects, "-o", str(output), "-lm"], folder)
+        checked([*command, "-shared", *links, *objects, "-o", str(output)], folder)
         return output.read_bytes()
 
 

@@ -1,6 +1,6 @@
-/* The kernel's one translation unit: the generated code, and the functions that the outside may call.
+/* The first translation unit: the generated code, and the functions that the outside may call.
  *
- *     cc -std=gnu11 -O3 -ffp-contract=off -fvisibility=hidden -shared -fPIC wrcontact_kernel.c -lm
+ *     cc -std=gnu11 -O3 -ffp-contract=off -fno-math-errno -fvisibility=hidden -shared -fPIC *.c
  *
  * Without -ffp-contract=off the compiler may fuse a*b + c, and the last bits differ from the Python source.
  */
