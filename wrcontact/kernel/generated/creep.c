@@ -328,7 +328,7 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  * of u over the strip's width, and a floor in long patches, where all strips would begin to slip at once as k
  * passes 1:
  *
- *     s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/6) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
+ *     s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/4.5) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
  *
  * Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
  * f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
