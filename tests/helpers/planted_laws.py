@@ -6,7 +6,7 @@ FRICTION, STRIPS, MARCH = (f"{CREEP}/{name}.py" for name in ("friction", "couple
 RUBBING, COMPLIANT = (f"{KERNEL}/wheelset/{name}.py" for name in ("rubbing", "compliant"))
 CREEPAGE, MOTION, STIFFNESS = (f"{CREEP}/{name}.py" for name in ("creepage", "motion", "stiffness"))
 ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/profiles/orientation.py"
-LAW, SLIP, THEORY, OF_STRIPS = (f"creep/test_{name}.py" for name in 
+LAW, SLIP, THEORY, OF_STRIPS = (f"creep/test_{name}.py" for name in (
     "friction_law", "full_slip", "strip_theory", "strip_laws"))
 DAMPING, RAILS, HEADS = "wheelset/test_damping.py", "creep/test_rails.py", "profiles/test_orientation.py"
 
