@@ -56,8 +56,8 @@ def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts, version)
 
 
 def test_a_step_may_begin_at_any_time(run, kind):
-    """Times that go back, leap or stand still: the model keeps nothing of them, so that the outputs are those of
-    steps that follow each other, to the bit, and no call is refused."""
+    """Times that go back, leap or stand still: the model keeps nothing of them, so that the outputs are those
+    of steps that follow each other, to the bit, and no call is refused."""
     seen = run("jumping_times", rows=poses(7))
     assert seen["answers"] == [[OK, []]] * 7 and seen["jumping"] == seen["straight"]
     assert len({one["right.area"] for one in seen["jumping"]}) == 7

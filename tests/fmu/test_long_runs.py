@@ -109,7 +109,7 @@ def walked(seed, steps):
     return walker.at
 
 
-#: Variants of native_host.c, both with vertical loads and creep forces by strips: elastic strips, and rigid ANALYN.
+#: Variants of native_host.c, with vertical loads and creep forces by strips: elastic strips, rigid ANALYN.
 ELASTIC, RIGID = 1, 21
 
 
@@ -120,8 +120,8 @@ ELASTIC, RIGID = 1, 21
 def test_a_native_walk_with_motion_and_creep_forces(hosts, variant, steps):
     """Two different sides, rails that are displaced, lean and move, speeds of either sign, friction.
 
-    One step in 100 has no solution here, where friction jams a wheel or a flange has 250 kN and more: it keeps
-    the outputs.
+    One step in 100 has no solution here, where friction jams a wheel or a flange has 250 kN and more: it
+    keeps the outputs.
     """
     [walk], [resumed] = together(*([hosts[2], way, SEED, steps, variant] for way in ("walk", "resumed")))
     assert walk["bad"] == resumed["bad"] < 0.02 * steps, walk["first_bad"]

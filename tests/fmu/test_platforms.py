@@ -122,8 +122,8 @@ def kernels():
     return cache(compile_kernel)
 
 
-#: What is tried of platforms before every merge, in the Python FMU and by FMI 3; at night everything.
 def share(names, chosen):
+    """What is tried before every merge; the others at night."""
     return [name if name in chosen else pytest.param(name, marks=pytest.mark.complete) for name in names]
 
 

@@ -82,14 +82,14 @@ def life(fmu):
     return {"answers": answers, "after": instance.get("roll", "yaw", "status", "gauge")}
 
 
-#: Start and size [s] of steps that do not follow each other: back to the start and before it, a leap, the same
-#: one again, one of no length, up to the stop.
+#: Start and size [s] of steps that do not follow each other: back to the start and before it, a leap, the
+#: same one again, one of no length, up to the stop.
 JUMPING = ((1.0, 0.1), (1.0, 0.25), (-4.0, 0.5), (7.0, 1.0), (7.0, 1.0), (3.0, 0.0), (9.5, 0.5))
 
 
 def jumping_times(fmu, rows):
-    """Outputs at rows of inputs with steps that follow each other, and with the times of JUMPING; statuses and
-    log lines of these, and, in FMI 3, the time and the last successful time behind each."""
+    """Outputs at rows of inputs with steps that follow each other, and with the times of JUMPING; statuses
+    and log lines of these, and, in FMI 3, the time and the last successful time behind each."""
     straight, jumping = fmu.instance("straight"), fmu.instance("jumping")
     for instance in (straight, jumping):
         instance.initialise(1.0, 10.0)

@@ -14,8 +14,8 @@ CLEAN = {name: value for name, value in os.environ.items() if not name.startswit
 
 
 def git(folder, *words):
-    subprocess.run(["git", "-c", "user.name=x", "-c", "user.email=x", *words], cwd=folder, check=True, env=CLEAN,
-                   capture_output=True)
+    subprocess.run(["git", "-c", "user.name=x", "-c", "user.email=x", *words], cwd=folder, check=True,
+                   env=CLEAN, capture_output=True)
 
 
 def ci_run(folder):
@@ -42,8 +42,8 @@ def test_a_file_that_git_does_not_track_ends_ci(tmp_path):
     (tmp_path / "wrcontact" / "forgotten.py").write_text("")
     code, complaint = ci_run(tmp_path)
     assert code == 1 and beyond not in complaint
-    assert complaint == ("not tracked by git, so no other copy has them: wrcontact/forgotten.py - git add them, or "
-                         "ignore them\n")
+    assert complaint == ("not tracked by git, so no other copy has them: wrcontact/forgotten.py - git add "
+                         "them, or ignore them\n")
     git(tmp_path, "add", "wrcontact/forgotten.py")
     assert beyond in ci_run(tmp_path)[1]
 

@@ -6,8 +6,8 @@ from ..interface.variables import INPUT, OUTPUT, PARAMETER, PLACE, REFERENCE, UN
 
 MODEL = "WheelsetContact"
 #: Without names of methods, of which there are more now and then.
-DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with their "
-               "pressures, creepages and creep forces, resultant forces and moments, friction power")
+DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
+               "their pressures, creepages and creep forces, resultant forces and moments, friction power")
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,
