@@ -95,8 +95,8 @@ MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, ma
 TABLES = {
     "short": Table(README, (*MODEL_PARTS, *tables.CREEP_PARTS), short_table,
                    "Errors of penetration / area / peak pressure at 20 positions from tread to flange at "
-                   "78.5 kN; of creep forces |ΔF|/(μN) on\nrandom patches of wheelsets. A unit is the time "
-                   "of `np.sqrt` of 2000 doubles on the same machine."),
+                   "78.5 kN; of creep forces |ΔF|/(μN) and\nmoments |ΔM|/(μN √(ab)) on random patches of "
+                   "wheelsets, 2a long and 2b wide. A unit is the time of `np.sqrt` of 2000 doubles."),
     "models": Table(BENCHMARKS, MODEL_PARTS, tables.models, ERRORS),
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), tables.skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), tables.count_table),

@@ -380,11 +380,11 @@ def creep_model_table(parts):
 
 
 def readme_row(parts):
-    """The README's row of creep forces: time of a whole step with ANALYN, error on the patches that are held
-    out."""
+    """The README's row of creep forces: time of a whole step with ANALYN, errors of forces and moments on the
+    patches that are held out."""
     errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
-    mean, _, worst = errors["strips"][NEW_PATCHES]["force"]
+    mean, _, worst = zip(*(errors["strips"][NEW_PATCHES][kind] for kind in ("force", "moment")))
     units = times[ALONE]["strips"]
     one = times["strips"]["µs"] / times["strips"]["units"]
     return [f"ANALYN and creep forces by strips, at {SPEED:g} m/s", figure(units * one), figure(units),
-            f"creep force: {precise([mean])}", precise([worst])]
+            f"force, moment: {precise(mean)}", precise(worst)]

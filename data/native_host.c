@@ -15,7 +15,8 @@
  *     native_host allocations <variant> <file>    how many there are between the initialisation and the end; odd variants
  *                                          have two different sides, and rails that lean and move
  *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
- *     native_host walk <seed> <steps> <variant>        a random walk over tread, flange root and flange, both wheels loaded
+ *     native_host walk <seed> <steps> <variant>        a random walk over tread, flange root and flange, both wheels loaded;
+ *                                          odd variants roll, with friction, on rails that move
  *     native_host resumed <seed> <steps> <variant>     the same walk, going on from saved states at random times
  *     native_host walks <seed> <steps> <threads>       walks from seeds that follow each other, each in its thread
  */
@@ -749,13 +750,13 @@ static int usual_row(component c, const double *row, double *values)
 }
 
 /* Let the rails be moved, lean and move in row `k`, and the wheelset too: all Real inputs but the usual five. */
-static int move_all(component c, int k)
+static int move_all(component c, long k)
 {
     int status = OK;
     for (int i = 5; model_variables[i].causality == MODEL_INPUT; i += 1)
     {
         const value_reference reference = (value_reference)i + FIRST_INPUT;
-        const double value = 0.02 * model_variables[i].high * sin(0.3 * k + i);
+        const double value = model_variables[i].start + 0.02 * model_variables[i].high * sin(0.3 * k + i);
         if (model_variables[i].type == MODEL_REAL)
 #if FMI == 2
             status |= fmi2SetReal(c, &reference, 1, &value);
@@ -935,7 +936,7 @@ typedef struct {
     component c;
     walker walker, elsewhere;
     long steps;
-    bool resumes;
+    bool resumes, moves;                            /* whether all other inputs change, too */
     long bad, flange, jumps, twins, partings;       /* steps that are not valid, with flange contact, ... */
     double first_bad[5];
     unsigned long long digest;                      /* of all outputs of all steps */
@@ -1053,6 +1054,8 @@ static void *run_walk(void *argument)
         if (self->resumes && draw(&self->elsewhere) > 1.0 - 2.0 / PARTING)
             wrong |= part(self);
         move(&self->walker);
+        if (self->moves)
+            wrong |= move_all(self->c, k);
         wrong |= usual_row(self->c, k % RETURN ? self->walker.at : HOME, self->values);
 #if FMI == 2
         wrong |= fmi2GetInteger(self->c, &status, 1, &outcome);
@@ -1092,7 +1095,7 @@ static int run_walks(unsigned long long first, long steps, int variant, int thre
     {
         walks[i].walker.random = first + (unsigned long long)i;
         walks[i].elsewhere.random = ~first;
-        walks[i].steps = steps, walks[i].resumes = resumes, walks[i].c = ready(variant);
+        walks[i].steps = steps, walks[i].resumes = resumes, walks[i].moves = variant % 2, walks[i].c = ready(variant);
         memcpy(walks[i].walker.at, HOME, sizeof HOME);
         memcpy(walks[i].elsewhere.at, HOME, sizeof HOME);
     }

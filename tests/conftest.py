@@ -8,6 +8,7 @@ import pytest
 
 from tests.helpers.kept import cache_folder, kept_fmus
 from tests.helpers.paths import TESTS
+from tests.helpers.skips import unlisted
 from wrcontact.cli import main
 from wrcontact.kernel.binding.compiler import KEPT
 
@@ -24,6 +25,15 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if room_of(item.path) in FULL_ROOMS and not item.get_closest_marker("check"):
             item.add_marker(pytest.mark.full)
+
+
+def pytest_sessionfinish(session):
+    """Fail a run of .ci/run that has skipped a test which is not to be skipped."""
+    writer = session.config.pluginmanager.get_plugin("terminalreporter")
+    if os.environ.get("WRCONTACT_SKIPS") == "listed" and writer:       # workers have no writer
+        for line in unlisted(writer.stats.get("skipped", [])):
+            writer.write_line(f"\nskipped, and not on the list in tests/helpers/skips.py: {line}", red=True)
+            session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ from .status import Status, explain
 from .stepper import Stepper
 from .system import ContactSystem
 
-__version__ = "0.1.0"
+__version__ = "0.2.0.dev0"
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "Material", "Profile", "ProfileFile",
            "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "Wheelset",
            "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain", "outlined_patch",

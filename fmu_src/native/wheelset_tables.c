@@ -115,8 +115,8 @@ static bool same_but_case(const char *one, const char *other)
     return *one == *other;
 }
 
-/* The profile that a String names, which a user calls `argument`; its case matters only between profiles that differ in nothing else. */
-static int find_profile(wheelset *self, const char *argument, const char *kind, int slot, array_double_1d *definition)
+/* The profile that the String `parameter` names; its case matters only between profiles that differ in nothing else. */
+static int find_profile(wheelset *self, const char *parameter, const char *kind, int slot, array_double_1d *definition)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
     size_t length = 0;
@@ -143,7 +143,7 @@ static int find_profile(wheelset *self, const char *argument, const char *kind, 
         if (length < sizeof list)
             length += (size_t)snprintf(list + length, sizeof list - length, "%s%s", length ? ", " : "", profile->name);
     }
-    return wheelset_refuse(self, "%s is %s%s; permitted are %s", argument, sentence_quoted(self->core.text[slot], value, sizeof value),
+    return wheelset_refuse(self, "%s is %s%s; permitted are %s", parameter, sentence_quoted(self->core.text[slot], value, sizeof value),
                            other, list);
 }
 
@@ -202,13 +202,14 @@ bool wheelset_is_built(const wheelset *self)
 static int find_profiles(wheelset *self, wrcontact_preparation *preparation, int slots[4])
 {
     const int own[4] = {MODEL_WHEEL_SLOT, MODEL_RAIL_SLOT, MODEL_LEFT_WHEEL_SLOT, MODEL_LEFT_RAIL_SLOT};
-    static const char *const names[4] = {"wheel", "rail", "left_wheel", "left_rail"};
+    static const char *const names[4] = {"wheel_profile", "rail_profile", "left_wheel_profile", "left_rail_profile"};
+    static const char *const kinds[2] = {"wheel", "rail"};
     array_double_1d *const definitions[4] = {&preparation->wheel, &preparation->rail, &preparation->left_wheel, &preparation->left_rail};
     for (int i = 0; i < 4; i += 1)
     {
         const int named = i >= 2 && !*self->core.text[own[i]] ? i - 2 : i;
         slots[i] = own[named];
-        if (find_profile(self, names[named], names[i % 2], slots[i], definitions[i]))
+        if (find_profile(self, names[named], kinds[i % 2], slots[i], definitions[i]))
             return 1;
     }
     return 0;

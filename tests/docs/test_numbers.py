@@ -40,6 +40,13 @@ def test_numbers_of_outputs(page):
         assert int(count) == counts[kind], f"{count} {kind}outputs"
 
 
+def test_version():
+    """The same in both places, and none of a release while there are changes since: FMUs carry it."""
+    assert f'\nversion = "{wrcontact.__version__}"\n' in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    parts = re.findall(r"^## (.*)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert (parts[0] == "Unreleased") == (wrcontact.__version__ not in parts)
+
+
 def test_bytes_of_a_row():
     all_of_it, one = numbers("docs/usage.md", r"([\d.]+) kB a row for all outputs, (\d+) bytes for one")
     assert all_of_it == pytest.approx(8e-3 * layout.OUTPUT_COUNT, abs=0.05)

@@ -14,6 +14,7 @@ from tests.helpers.cases import (
     moving_track,
     poses,
     pressed_poses,
+    profile_file,
 )
 from tests.helpers.fmus import (
     KINDS,
@@ -126,11 +127,23 @@ def test_wrong_parameters_are_refused_with_the_sentences_of_the_package(run, kin
         with pytest.raises(Refused) as wrong:
             session(**start)
         sentence = str(wrong.value)
-        wanted = sentence if kind == "python" else sentence.split(", the path of a profile file")[0]
+        wanted = sentence if kind == "python" else sentence.split(", or the name of a profile file")[0]
         answer = answers[name]
         assert answer["refused"] and answer["log"] == [[ERROR, "logStatusError", wanted]], name
         assert all(word in wanted for word in WRONG_PARAMETERS.get(name, ((), ()))[1]), wanted
         assert answer["after"]["status"] == 0, f"{name}: not usable after a reset"
+
+
+def test_the_fmus_read_no_file_of_the_host(run, kind, tmp_path):
+    """A profile that Python would read is no choice of an FMU, by any path to it."""
+    file = profile_file(tmp_path, "wheel")
+    names = {"root": str(file), "upwards": "/".join([*[".."] * 40, *file.parts[1:]])}
+    answers = run("refusals", cases={way: {"wheel_profile": name} for way, name in names.items()})
+    for way, answer in answers.items():
+        (_, _, sentence), = answer["log"]
+        told = "has" if kind != "python" and len(names[way]) > 255 else "is"
+        assert answer["refused"] and sentence.startswith(f"wheel_profile {told} "), way
+        assert answer["after"]["status"] == 0, way
 
 
 def test_numbers_have_a_point_in_a_locale_with_commas(run, run_alone, comma):

@@ -4,7 +4,6 @@ import io
 import re
 import runpy
 from html.parser import HTMLParser
-from importlib.util import find_spec
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,6 +12,7 @@ from matplotlib.image import imread
 
 from tests.helpers.cases import profile_file
 from tests.helpers.paths import ROOT
+from tests.helpers.platforms import needs_zig
 from tests.helpers.schemas import problems_of
 from wrcontact.fmu import SOURCES, build, native
 from wrcontact.fmu.documentation import about_native, documentation_page
@@ -211,7 +211,7 @@ def test_licences_of_all_that_is_packed(archives):
     assert b"numpy" in archives["python"]["documentation/externalDependencies.txt"]
 
 
-@pytest.mark.skipif(not find_spec("ziglang"), reason="ziglang is not installed")
+@needs_zig
 def test_the_licence_of_mingw_goes_with_a_library_for_windows(archives):
     assert b"mingw-w64" in archives[3]["documentation/licenses/mingw-w64.txt"]
     alone = native.uncompiled(3, *native.packed_profiles(), ["x86_64-linux"])

@@ -6,6 +6,7 @@ statuses: fmi2OK, and fmi2Discard for a step.
 
 import pytest
 
+from tests.helpers.cases import poses
 from tests.helpers.fmus import needs_compiler
 
 OK, WARNING, DISCARD, ERROR = range(4)
@@ -52,6 +53,16 @@ def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts, version)
         assert ({name: lines for name, (_, lines) in seen["answers"].items()}
                 == {name: lines for name, (_, lines) in wanted["answers"].items()})
     assert seen["after"] == pytest.approx(wanted["after"], abs=1e-12)
+
+
+def test_a_step_may_begin_at_any_time(run, kind):
+    """Times that go back, leap or stand still: the model keeps nothing of them, so that the outputs are those
+    of steps that follow each other, to the bit, and no call is refused."""
+    seen = run("jumping_times", rows=poses(7))
+    assert seen["answers"] == [[OK, []]] * 7 and seen["jumping"] == seen["straight"]
+    assert len({one["right.area"] for one in seen["jumping"]}) == 7
+    assert len(seen["times"]) == (7 if kind == 3 else 0)
+    assert all(end == time == last for end, time, last in seen["times"])
 
 
 def test_a_state_holds_its_stop_time(run, kind):

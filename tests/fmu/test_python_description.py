@@ -1,6 +1,7 @@
 """The Python FMU's description: variables, units, dependencies."""
 
 import math
+import re
 
 import pytest
 
@@ -11,6 +12,7 @@ from wrcontact.interface import variables
 from wrcontact.interface.friction import FRICTION
 from wrcontact.interface.inputs import MOTION, RAILS
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, VARIABLES
+from wrcontact.methods import CHOICES
 
 pytestmark = pytest.mark.check
 
@@ -65,7 +67,17 @@ def test_dependencies(description):
         assert inputs == read - given, name
     initial = {u.variable.name: {d.name for d in u.dependencies} for u in description.initialUnknowns}
     assert set(initial) == set(OUTPUT_NAMES)
-    assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
+    parameters = {v.name for v in VARIABLES if v.causality == PARAMETER}
+    assert {"gauge", "wheel_profile", "normal_model"} <= parameters
+    for name, known in initial.items():
+        assert known == follows[name] | parameters, name
+
+
+def test_the_model_s_description_names_no_method(description):
+    """It would be incomplete with the next one; and says what there is since there are creep forces."""
+    names = {name.lower() for choices in CHOICES.values() for name in choices} - {"normal", "none"}
+    assert not names & set(re.findall(r"\w+", description.description.lower()))
+    assert "creep forces" in description.description
 
 
 GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")

@@ -114,7 +114,8 @@ print(library.__file__, kernel.compiled, state.right.penetration.hex())
 @pytest.mark.full
 @needs_zig
 @needs_build
-@pytest.mark.parametrize("name", PLATFORMS)
+@pytest.mark.parametrize("name", ("x86_64-linux", *(pytest.param(name, marks=pytest.mark.complete)
+                                                    for name in PLATFORMS if name != "x86_64-linux")))
 def test_wheel_for_a_platform(sources, tmp_path, name):
     """Its tag and its library, the right one alone; this machine's is installed without a
     compiler and runs compiled."""

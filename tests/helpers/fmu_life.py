@@ -82,6 +82,29 @@ def life(fmu):
     return {"answers": answers, "after": instance.get("roll", "yaw", "status", "gauge")}
 
 
+#: Start and size [s] of steps that do not follow each other: back to the start and before it, a leap, the
+#: same one again, one of no length, up to the stop.
+JUMPING = ((1.0, 0.1), (1.0, 0.25), (-4.0, 0.5), (7.0, 1.0), (7.0, 1.0), (3.0, 0.0), (9.5, 0.5))
+
+
+def jumping_times(fmu, rows):
+    """Outputs at rows of inputs with steps that follow each other, and with the times of JUMPING; statuses
+    and log lines of these, and, in FMI 3, the time and the last successful time behind each."""
+    straight, jumping = fmu.instance("straight"), fmu.instance("jumping")
+    for instance in (straight, jumping):
+        instance.initialise(1.0, 10.0)
+    straight.time = 1.0
+    seen = {"straight": straight.go_on(rows), "jumping": [], "answers": [], "times": []}
+    for row, (time, size) in zip(rows, JUMPING, strict=True):
+        jumping.set(**row)
+        found = []
+        seen["answers"].append(answer_of(jumping, lambda: found.append(jumping.slave.doStep(time, size))))
+        seen["jumping"].append(jumping.get())
+        if fmu.version == 3:
+            seen["times"].append([time + size, jumping.get("time")["time"], found[0][-1]])
+    return seen
+
+
 def foreign_stop(fmu):
     """A state of a run up to 1 s, set in an instance with another stopTime."""
     runs = {}

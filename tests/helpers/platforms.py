@@ -23,11 +23,16 @@ def needs_importer(module):
                  f"{module} is not installed")
 
 
-needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")
-needs_lief = needs(importlib.util.find_spec("lief"),
-                   "lief, which reads libraries of every platform, is not installed")
-needs_build = needs(all(map(importlib.util.find_spec, ("build", "setuptools"))),
-                    "build or setuptools is not installed")
+def for_platforms(reason, *packages):
+    """A test of the platforms needs these packages of the extra "platforms", which .ci/run installs for such
+    tests alone: with ziglang there, FMUs for this machine are compiled by it too."""
+    skips = needs(all(map(importlib.util.find_spec, packages)), reason)
+    return lambda test: pytest.mark.platforms(skips(test))
+
+
+needs_zig = for_platforms("ziglang is not installed", "ziglang")
+needs_lief = for_platforms("lief, which reads libraries of every platform, is not installed", "lief")
+needs_build = for_platforms("build or setuptools is not installed", "build", "setuptools")
 needs_reference = needs(host_platform() == REFERENCE,
                         f"this is not {REFERENCE}, with whose values others are compared")
 

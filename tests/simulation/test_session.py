@@ -135,9 +135,9 @@ def test_values_are_read_in_any_order_and_any_number(running):
 
 def test_parameters_reach_the_system_under_their_keywords(session):
     session.set_reals([REFERENCE["gauge"]], [1.44])
-    session.set_strings([REFERENCE["wheel_profile"]], ["own"])
+    session.set_strings([REFERENCE["wheel_profile"]], ["Cone20"])
     session.start()
-    assert (FakeSystem.made[-1]["gauge"], FakeSystem.made[-1]["wheel"]) == (1.44, "own")
+    assert (FakeSystem.made[-1]["gauge"], FakeSystem.made[-1]["wheel"]) == (1.44, "cone20")
 
 
 def test_profile_file_in_the_resources_is_found_by_its_name(session, tmp_path):
@@ -147,6 +147,30 @@ def test_profile_file_in_the_resources_is_found_by_its_name(session, tmp_path):
     session.start()
     assert FakeSystem.made[-1]["rail"] == str(tmp_path / "own.txt")
     assert FakeSystem.made[-1]["wheel"] == "S1002"
+
+
+def test_no_file_outside_the_resources_is_read(session, tmp_path, monkeypatch):
+    """Neither by its path, from the root or upwards, nor by a link, nor beside the host: one sentence, with
+    the parameter's name.  The resources themselves may lie behind a link."""
+    place, secret = tmp_path / "resources" / "worn", tmp_path / "secret.txt"
+    place.mkdir(parents=True)
+    secret.write_text("")
+    (place / "own.txt").write_text("")
+    (place / "link.txt").symlink_to(secret)
+    (tmp_path / "entry").symlink_to(place.parent)
+    monkeypatch.chdir(tmp_path)
+    session.resources = str(tmp_path / "entry")
+    for parameter in ("wheel_profile", "left_rail_profile"):
+        for name in (str(secret), "../secret.txt", "worn/../../secret.txt", "secret.txt", "worn/link.txt",
+                     ".", "worn", "x" * 5000):
+            session.reset()
+            session.set_strings([REFERENCE[parameter]], [name])
+            with pytest.raises(Refused, match=f"{parameter} is .*; permitted are .* FMU's resources$"):
+                session.start()
+    session.reset()
+    session.set_strings([REFERENCE["wheel_profile"]], ["worn/own.txt"])
+    session.start()
+    assert FakeSystem.made[-1]["wheel"] == str(place / "own.txt")
 
 
 def test_system_is_built_once_unless_a_parameter_changes(session):

@@ -2,11 +2,12 @@
 
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from ..interface.variables import INPUT, OUTPUT, PARAMETER, PLACE, REFERENCE, STRING, UNITS, VARIABLES, select
+from ..interface.variables import INPUT, OUTPUT, PARAMETER, PLACE, REFERENCE, UNITS, VARIABLES, select
 
 MODEL = "WheelsetContact"
-DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points, roll and normal contact (ANALYN "
-               "or Hertz) of both wheels")
+#: Without names of methods, of which there are more now and then.
+DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
+               "their pressures, creepages and creep forces, resultant forces and moments, friction power")
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,
@@ -105,7 +106,7 @@ def number_text(value):
 def _structure(parent):
     """Which inputs each output follows, and what is computed in initialisation from which inputs and
     parameters."""
-    known = [PLACE[variable.name] for variable in select(PARAMETER) if variable.type != STRING]
+    known = [PLACE[variable.name] for variable in select(PARAMETER)]
     for section, extra in (("Outputs", []), ("InitialUnknowns", known)):
         unknowns = SubElement(parent, section)
         for variable in select(OUTPUT):

@@ -125,8 +125,8 @@ def _structure(parent, blocks):
     """Which inputs each output follows, and what is computed in initialisation from which inputs and
     parameters."""
     known = {block.name: block.reference for block in blocks}
-    numeric = [known[v.name] for v in VARIABLES if v.causality == PARAMETER and v.type != STRING]
-    for section, extra in (("Output", []), ("InitialUnknown", numeric)):
+    parameters = [known[v.name] for v in VARIABLES if v.causality == PARAMETER]
+    for section, extra in (("Output", []), ("InitialUnknown", parameters)):
         for _, first, run, reference in blocks:
             if first < 0 or VARIABLES[first].causality != OUTPUT:
                 continue

@@ -82,6 +82,7 @@ BUILDERS = {
 }
 WHEELS = ("S1002", "cone20", "cone40")
 RAILS = ("UIC60", "60E1", "54E1")
+NAMES = {"wheel": WHEELS, "rail": RAILS}
 
 
 @cache
@@ -108,14 +109,19 @@ def find_profile(source, kind, smoothing=None, argument=None):
         return of_kind(source, kind)
     if isinstance(source, ProfileFile) and os.path.isfile(source.path):
         return Profile.from_file(source.path, kind, smoothing, **source.reading)
-    names = WHEELS if kind == "wheel" else RAILS
-    if isinstance(source, str) and source in names:
+    if isinstance(source, str) and source in NAMES[kind]:
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return Profile.from_file(source, kind, smoothing)
+    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile")
+
+
+def named_profile(source, kind, argument, others):
+    """The standard profile called ``source``, in any case; otherwise a ValueError, which names the
+    ``argument`` and what is permitted: the names, and ``others``, words that continue their list."""
     standard = standard_name(source) if isinstance(source, str) else None
-    if standard in names:
+    if standard in NAMES[kind]:
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
-    raise ValueError(f"{argument or kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the "
-                     "path of a profile file, or a Profile")
+    raise ValueError(f"{argument} is {str(source)!r}{other}; permitted are "
+                     f"{', '.join(NAMES[kind])}{others}")

@@ -13,6 +13,7 @@ Set values, initialise, step, read. Values are addressed by value reference, as 
 
 import hashlib
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -35,10 +36,13 @@ from ..interface.variables import (
 )
 from ..kernel import layout
 from ..methods.numbers import check_choice
+from ..profiles.catalogue import named_profile
 from ..system import ContactSystem
 from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
 INPUTS = layout.INPUT_COUNT
+#: Keywords of profiles; an FMU's parameters have "_profile" behind them.
+PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
 BY_REFERENCE = {REFERENCE[v.name]: v for v in VARIABLES}
 STATUS_REFERENCE = REFERENCE["status"]
@@ -161,9 +165,10 @@ class Session:
         arguments = {PARAMETERS[name].keyword: value for name, value in parameters.items()}
         for name in SIDED:
             arguments[LEFT + name] = arguments[LEFT + name] or None     # "" and 0 are as on the right
-        for profile in ("wheel", "rail", "left_wheel", "left_rail"):
-            arguments[profile] = self._profile(arguments[profile])
         try:
+            for profile in PROFILES:
+                if arguments[profile]:
+                    arguments[profile] = self._profile(profile, arguments[profile])
             for name, value in parameters.items():
                 if PARAMETERS[name].choices:      # Python has more of them than an FMU
                     check_choice(name, value, PARAMETERS[name].choices)
@@ -171,11 +176,18 @@ class Session:
         except ValueError as wrong:
             raise Refused(str(wrong)) from None
 
-    def _profile(self, name):
-        """``name``, or the path of the file of that name in the resources."""
-        if self.resources and name and Path(self.resources, name).is_file():
-            return str(Path(self.resources, name))
-        return name
+    def _profile(self, keyword, name):
+        """The path of the file of that name in the resources, or the name of a standard profile.
+
+        No other file is read: a path that leads out of the resources, by ``..``, from the root or by a link,
+        is refused as a name that nothing has.
+        """
+        if self.resources:
+            folder, file = (os.path.realpath(path) for path in (self.resources, Path(self.resources, name)))
+            if os.path.isfile(file) and Path(folder) in Path(file).parents:
+                return file
+        return named_profile(name, keyword.removeprefix(LEFT), f"{keyword}_profile",
+                             ", or the name of a profile file in the FMU's resources").name
 
     # --- inputs, outputs, steps ------------------------------------------------------------------
 
