@@ -28,6 +28,7 @@ from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
 from .profiles.catalogue import find_profile
+from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status
@@ -74,6 +75,7 @@ class ContactSystem:
         self.resolution = self.methods["normal_model"].resolution
         smoothing = self.parameters["smoothing"]
         self.wheel, self.rail, self.left_wheel, self.left_rail = self._find_profiles(smoothing)
+        remark_wheels(self, stacklevel=2)
         self._tables = self._prepare()
         self._own = threading.local()
         self._elastic = None            # the same wheelset in elastic contact, once it is needed

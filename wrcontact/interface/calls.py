@@ -35,12 +35,13 @@ def input_values(arguments, keywords):
 
 def warn_of_inputs(values, stacklevel):
     """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
-    whose largest number is above its usual range."""
+    whose largest number is above 0 and outside its usual range."""
     for place, row in USUAL:
         value = values[place]
         if isinstance(value, np.ndarray) and value.ndim:
-            value = np.max(value, initial=row.usual[0], where=np.isfinite(value))
-        warn_unusual(row.name, max(value, row.usual[0]), row.unit, row.usual, stacklevel + 1)
+            value = np.max(value, initial=0.0, where=np.isfinite(value))
+        if value > 0.0:
+            warn_unusual(row.name, value, row.unit, row.usual, stacklevel + 1)
 
 
 def wrong_input(values, array):

@@ -14,6 +14,8 @@ import warnings
 from dataclasses import dataclass, field, fields
 from numbers import Real
 
+from .words import did_you_mean
+
 
 class UnusualValueWarning(UserWarning):
     """A value is permitted but lies outside the usual range, as after an error in typing or units.
@@ -138,9 +140,8 @@ class Checked:
 def check_choice(name, value, choices):
     """ValueError, in a sentence that lists them, unless ``value`` is one of ``choices``."""
     if value not in tuple(choices):  # a value need not have a hash
-        permitted = ", ".join(repr(choice) for choice in choices)
-        raise ValueError(f"{name} is {value!r}; permitted are {permitted}" if len(choices) > 1 else
-                         f"{name} is {value!r}; permitted is {permitted}")
+        permitted, verb = ", ".join(repr(choice) for choice in choices), "are" if len(choices) > 1 else "is"
+        raise ValueError(f"{name} is {value!r}; permitted {verb} {permitted}{did_you_mean(value, choices)}")
 
 
 def unit_behind(unit):

@@ -12,6 +12,7 @@ import math
 import os
 from functools import cache
 
+from ..methods.words import did_you_mean
 from .files import of_kind, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
@@ -117,5 +118,13 @@ def find_profile(source, kind, smoothing=None, argument=None):
     if standard in names:
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
-    raise ValueError(f"{argument or kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the "
-                     "path of a profile file, or a Profile")
+    missing = ", and there is no such file" if _looks_like_a_path(source) else ""
+    meant = "" if missing or other else did_you_mean(source, names)
+    raise ValueError(f"{argument or kind} is {str(source)!r}{other}{missing}; permitted are "
+                     f"{', '.join(names)}, the path of a profile file, or a Profile{meant}")
+
+
+def _looks_like_a_path(source):
+    """Whether a name that is no profile's is rather that of a file: it has an ending or a folder."""
+    return isinstance(source, (ProfileFile, os.PathLike)) or isinstance(source, str) and (
+        bool(os.path.splitext(source)[1]) or os.path.basename(source) != source)
