@@ -31,7 +31,7 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *_LATER})
+    return sorted({*__all__, *_LATER, "__version__", "__doc__", "__file__", "__name__", "__path__"})
 
 
 def check(system):

@@ -12,15 +12,13 @@ from .interface.inputs import INPUT_NAMES
 from .interface.rows import AXES, Blocks, Run
 from .interface.rows import Vector as VectorRow
 from .kernel import layout
+from .methods.words import did_you_mean
 from .results import columns
 from .results import words as text
 from .results.columns import Kept, output_names, output_places
+from .results.inputs import Inputs
+from .results.inputs import number as _number
 from .status import Status
-
-
-def _number(value):
-    """A float of one pose, (n,) of a table."""
-    return float(value) if value.ndim == 0 else value
 
 
 def station_count(values):
@@ -49,13 +47,17 @@ class _View:
 
     def __repr__(self):
         shown = [f"{name}={text.short(getattr(self, name))}" for name in self._shown or self._members]
-        poses = [f"{len(self)} poses"] if self._values.ndim > 1 else []
+        poses = [f"{self._values.shape[0]} poses"] if self._values.ndim > 1 else []
         return f"{type(self).__name__}({', '.join(poses + shown)})"
 
     def __len__(self):
         if self._values.ndim == 1:
             raise TypeError(f"the {type(self).__name__} of one pose has no length")
         return self._values.shape[0]
+
+    def __bool__(self):
+        """Whether a table has rows; what belongs to one pose is there."""
+        return self._values.ndim == 1 or len(self) > 0
 
     def to_dict(self):
         """All values by name, dicts in dicts: of one pose numbers and lists, of a table arrays (n, ...)."""
@@ -127,8 +129,8 @@ def _named(rows, record, **parts):
 
 
 class Vector(_View):
-    """Three components in the track's axes: x forward, y to the right, z down.  ``np.asarray`` makes it an
-    array (3,), (n, 3) of a table."""
+    """Three components in the track's axes: x forward, y to the right, z down, as names, as a sequence of
+    three, and with ``np.asarray`` as an array (3,), (n, 3) of a table."""
 
     __slots__ = ()
     _members = tuple(axis for axis, _ in AXES)
@@ -136,8 +138,14 @@ class Vector(_View):
     def __array__(self, dtype=None, copy=None):
         return np.array(self._values[..., self._offset : self._offset + len(AXES)], dtype=dtype)
 
+    def __len__(self):
+        return len(AXES)
+
     def __iter__(self):
         return iter([getattr(self, axis) for axis in self._members])
+
+    def __getitem__(self, key):
+        return tuple(self)[key]
 
 
 for _place, (_axis, _way) in enumerate(AXES):
@@ -181,6 +189,10 @@ class Patch(_View):
     __slots__ = ()
     _shown = ("normal_force", "area", "max_pressure", "length", "width", "contact_angle", "y_track")
 
+    def __bool__(self):
+        """Whether the patch is there, in a table whether it is in any row."""
+        return bool(np.any(np.asarray(self.area) > 0.0))
+
 
 class Outline(_View):
     """Outline and pressure at evenly spaced stations across, from the first loaded place to the last."""
@@ -203,18 +215,17 @@ class Side(_View):
 
     @property
     def patch_count(self):
-        """Number of patches; ``patches`` has the three with the largest load."""
-        count = self._values[..., self._offset + layout.SIDE_PATCH_COUNT]
-        if count.ndim:
-            return count
-        return int(count) if np.isfinite(count) else 0
+        """Number of patches, of one pose an int; ``patches`` has the three with the largest load."""
+        count = _number(self._values[..., self._offset + layout.SIDE_PATCH_COUNT])
+        return int(count) if isinstance(count, float) and count == count else count
 
     @property
     def patches(self):
         """Patches by decreasing load; in a table always three, with zeros for missing ones."""
         start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_OUTPUTS_SIZE
-        count = layout.PATCH_LIMIT if self._values.ndim > 1 else min(self.patch_count, layout.PATCH_LIMIT)
-        return tuple(Patch(self._values, start + size * k) for k in range(count))
+        single = self._values.ndim == 1
+        return tuple(Patch(self._values, start + size * k) for k in range(layout.PATCH_LIMIT)
+                     if not single or k < self.patch_count)
 
     @property
     def outline(self):
@@ -244,11 +255,11 @@ class WheelsetState(_View):
     roll [rad], vertical_shift [m], force [N], moment [N m] : of the wheelset; see their own words.
     left, right : a :class:`Side` each.
     names : of the outputs; ``state["right.area"]`` is the value of one, ``table[3]`` the state of a row.
-    inputs : the inputs, in the order of wrcontact/interface/inputs.py; (n, ...) for a table.
+    inputs : an array with names, ``state.inputs.yaw``; see :class:`~wrcontact.results.inputs.Inputs`.
     values : the kernel's outputs, likewise.
     """
 
-    __slots__ = ("values", "status", "inputs", "_places", "_system", "_equilibrium")
+    __slots__ = ("values", "status", "_inputs", "_places", "_system", "_equilibrium")
     _members = ("left", "right")
 
     def __init__(self, values, status, inputs, kept=None, width=None, system=None):
@@ -256,10 +267,15 @@ class WheelsetState(_View):
         ``width``; None for all.  ``system`` finds the equilibrium."""
         self.values = values
         self.status = status
-        self.inputs = inputs
+        self._inputs = inputs
         self._places = kept
         self._system, self._equilibrium = system, None
         super().__init__(values if kept is None else Kept(values, kept, width), 0)
+
+    @property
+    def inputs(self):
+        """The inputs by name and place, :class:`~wrcontact.results.inputs.Inputs`."""
+        return None if self._inputs is None else self._inputs.view(Inputs)
 
     @property
     def left(self):
@@ -297,8 +313,9 @@ class WheelsetState(_View):
             raise TypeError(f"the state of one pose has no row {key!r}; permitted are names of outputs")
         if np.ndim(key) == 0 and not isinstance(key, slice):
             values = self.values[key] if self._places is None else self._values.row(key)
-            return WheelsetState(values, Status(int(self.status[key])), self.inputs[key], system=self._system)
-        return WheelsetState(self.values[key], self.status[key], self.inputs[key], self._places,
+            status = Status(int(self.status[key]))
+            return WheelsetState(values, status, self._inputs[key], system=self._system)
+        return WheelsetState(self.values[key], self.status[key], self._inputs[key], self._places,
                              self._values.shape[-1], self._system)
 
     def _named(self, name):
@@ -308,10 +325,11 @@ class WheelsetState(_View):
         if name.startswith("equilibrium."):
             return getattr(self.equilibrium, name.partition(".")[2])
         if name in INPUT_NAMES:
-            return _number(self.inputs[..., INPUT_NAMES.index(name)])
+            return self.inputs[name]
         place = output_places(self._values.shape[-1]).get(name)
         if place is None:
-            raise KeyError(f"there is no output {name!r}; .names lists them")
+            meant = did_you_mean(name, ("status", *INPUT_NAMES, *output_places(self._values.shape[-1])))
+            raise KeyError(f"there is no output {name!r}{meant or '; .names lists them'}")
         return _number(self._values[..., place])
 
     def to_dict(self):
@@ -319,27 +337,39 @@ class WheelsetState(_View):
         arrays (n, ...)."""
         single = self.values.ndim == 1
         status = int(self.status) if single else self.status
-        inputs = {name: self[name] for name in INPUT_NAMES} if self.inputs is not None else {}
+        inputs = {} if self.inputs is None else self.inputs.to_dict()
         return {"status": status, "inputs": inputs, **super().to_dict()}
 
     def to_pandas(self):
-        """The table as a pandas.DataFrame: one row per pose, columns with the names of an FMU."""
-        return self._rows().to_pandas(self)
-
-    def to_xarray(self):
-        """The table as a xarray.Dataset with the dimensions pose, side, patch, station_number and axis."""
-        return self._rows().to_xarray(self)
-
-    def _rows(self):
-        if self.values.ndim == 1:
-            raise TypeError("this is the state of one pose; tables come from evaluate_many")
+        """A pandas.DataFrame: one row per pose, columns with the names of an FMU."""
         from .results import convert  # not part of an FMU
 
-        return convert
+        return convert.to_pandas(self._as_table())
+
+    def to_xarray(self):
+        """A xarray.Dataset with the dimensions pose, side, patch, station_number and axis."""
+        from .results import convert  # not part of an FMU
+
+        return convert.to_xarray(self._as_table())
+
+    def _as_table(self):
+        """This table; of one pose a table of one row."""
+        if self.values.ndim > 1:
+            return self
+        return WheelsetState(self.values[None], np.array([int(self.status)]), self._inputs[None],
+                             system=self._system)
+
+    @property
+    def summary(self):
+        """How many rows a table has, and of which status they are, in words."""
+        counts = {kind.name.lower().replace("_", " "): np.count_nonzero(self.status == kind)
+                  for kind in Status}
+        said = ", ".join(f"{count} {words}" for words, count in counts.items() if count)
+        return f"{len(self)} poses: {said}" if said else "0 poses"
 
     def __repr__(self):
         if self.values.ndim > 1:
-            return f"WheelsetState({len(self)} poses)"
+            return f"WheelsetState({self.summary})"
         return (f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
                 f"vertical_shift={self.vertical_shift:.6g} m)")
 
@@ -347,3 +377,4 @@ class WheelsetState(_View):
         from .results import pages
 
         return pages.page(self)
+

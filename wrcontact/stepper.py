@@ -43,7 +43,7 @@ class Stepper:
     """
 
     def __init__(self, tables, bind=None):
-        self._tables = tables.copy()
+        self._tables, self._bind = tables.copy(), bind
         self.inputs = np.zeros(layout.INPUT_COUNT)
         self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
         self.state = np.zeros(layout.STATE_SIZE)
@@ -53,6 +53,10 @@ class Stepper:
         self.compiled = self._bound.compiled
         self._penetration = None
         self._wanted = ("both", "all")
+
+    def __reduce__(self):
+        return _restored, (self._tables, self._bind, (self.inputs, self.outputs, self.state),
+                           self._penetration, self._wanted)
 
     @property
     def tables(self):
@@ -125,9 +129,18 @@ class Stepper:
         """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""
         if self._wanted == (side, outputs):
             return
-        for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
-            check_choice(name, value, choices)
+        check_choice("side", side, SIDES)
+        check_choice("outputs", outputs, DEPTHS)
         settings = layout.Tables.at(self._tables)
         settings.sides, settings.depth = SIDES[side], DEPTHS[outputs]
         layout.Work.at(self._workspace).known = False
         self._wanted = (side, outputs)
+
+
+def _restored(tables, bind, arrays, penetration, wanted):
+    """A stepper that continues where another one is."""
+    stepper = Stepper(tables, bind)
+    for own, kept in zip((stepper.inputs, stepper.outputs, stepper.state), arrays):
+        own[:] = kept
+    stepper._penetration, stepper._wanted = penetration, wanted
+    return stepper

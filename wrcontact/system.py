@@ -18,6 +18,7 @@ from .interface.calls import (
     describe_inputs,
     describe_parameters,
     input_values,
+    unknown_parameter,
     warn_of_inputs,
     wrong_input,
 )
@@ -32,7 +33,7 @@ from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status
-from .stepper import Stepper
+from .stepper import DEPTHS, Stepper
 
 
 class ContactSystem:
@@ -67,33 +68,23 @@ class ContactSystem:
     def __init__(self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None,
                  friction=None, **parameters):
         for name in parameters.keys() - PARAMETERS.keys():
-            raise TypeError(f"ContactSystem has no parameter {name!r}")
+            raise unknown_parameter(name)
         groups = {"track": track, "wheelset": wheelset, "material": material, "friction": friction}
         given = {"wheel": wheel, "rail": rail, **parameters}
-        self.parameters, self.methods = checked_parameters(given, groups)
-        warn_of_parameters(self.parameters, stacklevel=2)
-        self.resolution = self.methods["normal_model"].resolution
-        smoothing = self.parameters["smoothing"]
-        self.wheel, self.rail, self.left_wheel, self.left_rail = self._find_profiles(smoothing)
-        remark_wheels(self, stacklevel=2)
-        self._tables = self._prepare()
+        checked, methods = checked_parameters(given, groups)
+        warn_of_parameters(checked)
+        self._set_up(checked, methods, find_profiles(checked))
+        remark_wheels(self)
+
+    def _set_up(self, parameters, methods, profiles):
+        """Prepare for checked ``parameters`` and the ``profiles`` of :func:`find_profiles`."""
+        self.parameters, self.methods = parameters, methods
+        self.resolution = methods["normal_model"].resolution
+        self.wheel, self.rail, self.left_wheel, self.left_rail = profiles
+        self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
+        layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
         self._elastic = None            # the same wheelset in elastic contact, once it is needed
-
-    def _prepare(self):
-        tables = prepare_sides((self.wheel, self.rail), (self.left_wheel, self.left_rail),
-                               parameters=self.parameters, methods=self.methods)
-        layout.Tables.at(tables).stations = self.parameters["stations"]
-        return tables
-
-    def _find_profiles(self, smoothing):
-        """Wheel and rail of the right side, wheel and rail of the left side."""
-        given = self.parameters
-        right = [find_profile(given[kind], kind, smoothing) for kind in ("wheel", "rail")]
-        left = [profile if given[f"left_{kind}"] is None
-                else find_profile(given[f"left_{kind}"], kind, smoothing, f"left_{kind}")
-                for kind, profile in zip(("wheel", "rail"), right)]
-        return *right, *left
 
     @property
     def equal_sides(self):
@@ -123,7 +114,8 @@ class ContactSystem:
         return profile_tables(self._tables, 0 if side == "left" else 1)
 
     def __reduce__(self):
-        return _rebuild, (type(self), self.parameters)
+        return _rebuilt, (type(self), self.parameters,
+                          (self.wheel, self.rail, self.left_wheel, self.left_rail))
 
     def __repr__(self):
         changed = [f"{name}={value!r}" for name, value in self.parameters.items()
@@ -171,7 +163,8 @@ class ContactSystem:
 {inputs}
         penetration : prescribe the penetration [m] instead of the force: one value, or (left, right); rigid
             contact only.
-        side, outputs : what is wanted, as for :meth:`stepper`; the rest is NaN.
+        side, outputs : what is wanted, as for :meth:`stepper`, or names of outputs as for
+            :meth:`evaluate_many`; the rest is NaN.
 
         Returns
         -------
@@ -184,6 +177,8 @@ class ContactSystem:
         UnusualValueWarning
             if a value is permitted but far outside what is usual: a force of 78500 kN.
         """
+        if type(outputs) is not str or outputs not in DEPTHS:
+            return self._evaluate_some(arguments, penetration, side, outputs, inputs)
         stepper = getattr(self._own, "stepper", None)
         if stepper is None:
             stepper = self._own.stepper = self.stepper()
@@ -194,20 +189,29 @@ class ContactSystem:
             stepper.inputs[:] = values
         except (TypeError, ValueError):
             raise wrong_input(values, array=False) from None
-        warn_of_inputs(values, stacklevel=2)
+        warn_of_inputs(values)
         status = Status(stepper.step())
         found = stepper.outputs.copy()
         if status > Status.UNLOADED:
             found[:] = math.nan
         return WheelsetState(found, status, stepper.inputs.copy(), system=self._balancing())
 
+    def _evaluate_some(self, arguments, penetration, side, outputs, inputs):
+        """:meth:`evaluate` for outputs by name: the row of a table."""
+        values = input_values(arguments, inputs)
+        if any(np.ndim(value) for value in values):
+            raise wrong_input(values, array=False)
+        given = {row.keyword: value for row, value in zip(INPUTS, values)}
+        return self.evaluate_many(penetration=penetration, side=side, outputs=outputs, **given)[0]
+
     def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
-        ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``.  The table has
-        memory only for what is wanted: 4.3 kB a row for all outputs, 8 B for one.
+        ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
+        the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.3 kB a row
+        for all outputs, 8 B for one.
 
         ``processes`` share the rows of the half-space, which needs much time, with the same results; the
         other models use one.  A script makes such a call below ``if __name__ == "__main__":``.
@@ -238,9 +242,9 @@ class ContactSystem:
         the memory does not grow with the number of rows."""
         check_processes(processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
-        for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
-            yield WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs),
-                                self._balancing())
+        parts = self._parts(stepper, rows, wanted.places, processes)
+        return (WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs),
+                              self._balancing()) for part, found, outcome in parts)
 
     def _balancing(self):
         """What finds the equilibrium of a state: this system, if it is compliant, else None."""
@@ -250,7 +254,8 @@ class ContactSystem:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
         if self._elastic is None:
-            self._elastic = type(self)(**{**self.parameters, "contact_mode": "elastic"})
+            kind, parameters, profiles = self.__reduce__()[1]
+            self._elastic = _rebuilt(kind, {**parameters, "contact_mode": "elastic"}, profiles)
         rows = np.atleast_2d(inputs)
         found = self._elastic.evaluate_many(outputs=["vertical_shift", "roll"],
                                             **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)})
@@ -277,7 +282,7 @@ class ContactSystem:
             raise wrong_input(given, array=True) from None
         if columns[0].ndim != 1:
             raise wrong_input(given, array=True)
-        warn_of_inputs(columns, stacklevel=3)
+        warn_of_inputs(columns)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)
@@ -285,8 +290,21 @@ class ContactSystem:
         return np.ascontiguousarray(np.stack(columns, axis=1)), wanted, stepper
 
 
-def _rebuild(kind, parameters):
-    return kind(**parameters)
+def find_profiles(parameters):
+    """Wheel and rail of the right side, wheel and rail of the left side."""
+    smoothing = parameters["smoothing"]
+    right = [find_profile(parameters[kind], kind, smoothing) for kind in ("wheel", "rail")]
+    left = [profile if parameters[f"left_{kind}"] is None
+            else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
+            for kind, profile in zip(("wheel", "rail"), right)]
+    return *right, *left
+
+
+def _rebuilt(kind, parameters, profiles):
+    """A system of these ``parameters`` with profiles that have been read already."""
+    system = kind.__new__(kind)
+    system._set_up(*checked_parameters(parameters, {}), profiles)
+    return system
 
 
 describe_inputs(ContactSystem.evaluate)

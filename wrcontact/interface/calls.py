@@ -5,7 +5,8 @@ from numbers import Integral
 
 import numpy as np
 
-from ..methods.numbers import unit_behind, warn_unusual
+from ..methods.numbers import is_plain, unit_behind, warn_unusual
+from ..methods.words import did_you_mean
 from .inputs import INPUTS
 from .parameters import GROUPS, PARAMETERS
 
@@ -21,11 +22,12 @@ def input_values(arguments, keywords):
     """The value of every input in the kernel's order, from the arguments and keywords of a call."""
     values = STARTS.copy()
     for place, value in zip(POSITIONAL, arguments):
-        values[place] = value
+        values[place] = value if type(value) is float else checked_input(place, value)
     for name, value in keywords.items():
         if name not in PLACES:
-            raise TypeError(f"there is no input {name!r}; inputs are {', '.join(PLACES)}")
-        values[PLACES[name]] = value
+            raise unknown_input(name)
+        place = PLACES[name]
+        values[place] = value if type(value) is float else checked_input(place, value)
     named = [INPUTS[place].keyword for place in POSITIONAL]
     if len(arguments) > len(named) or any(name in keywords for name in named[:len(arguments)]):
         raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(named)}, each once, "
@@ -33,7 +35,50 @@ def input_values(arguments, keywords):
     return values
 
 
-def warn_of_inputs(values, stacklevel):
+def unknown_input(name):
+    """The TypeError on a keyword that no input has."""
+    hint = did_you_mean(name, PLACES) or f"; inputs are {', '.join(PLACES)}"
+    if name in PARAMETERS:
+        hint = f"; {name} is a parameter of ContactSystem"
+    return TypeError(f"there is no input {name!r}{hint}")
+
+
+def unknown_parameter(name):
+    """The TypeError on a keyword that no parameter has."""
+    hint = did_you_mean(name, [*PARAMETERS, *GROUPS])
+    if name in PLACES:
+        hint = f"; {name} is an input of evaluate"
+    return TypeError(f"ContactSystem has no parameter {name!r}{hint}")
+
+
+def checked_input(place, value):
+    """The ``value`` of an input, unless it has texts, truth values or None, which numpy takes for numbers:
+    these raise a ValueError, in a sentence."""
+    if type(value) is int:
+        return value
+    row = INPUTS[place]
+    try:
+        array = np.asarray(value)
+    except ValueError:          # rows of different lengths
+        raise ValueError(f"{row.keyword} is {value!r}; permitted are numbers{_behind(row)}") from None
+    kind = array.dtype.kind
+    if kind in "fiu" or kind == "b" and row.switch:
+        return value
+    wrong = [one for one in array.ravel().tolist() if kind != "O" or one is None or not is_plain(one)]
+    if not wrong:
+        return value
+    if array.ndim:
+        raise ValueError(f"{row.keyword} has {wrong[0]!r}; permitted are numbers{_behind(row)}")
+    permitted = "True or False" if row.switch else f"a number{_behind(row)}"
+    raise ValueError(f"{row.keyword} is {wrong[0]!r}; permitted is {permitted}")
+
+
+def _behind(row):
+    """The unit of an input behind the word number."""
+    return "" if row.unit == "1" else f", in {row.unit}"
+
+
+def warn_of_inputs(values):
     """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
     whose largest number is above 0 and outside its usual range."""
     for place, row in USUAL:
@@ -41,7 +86,7 @@ def warn_of_inputs(values, stacklevel):
         if isinstance(value, np.ndarray) and value.ndim:
             value = np.max(value, initial=0.0, where=np.isfinite(value))
         if value > 0.0:
-            warn_unusual(row.name, value, row.unit, row.usual, stacklevel + 1)
+            warn_unusual(row.name, value, row.unit, row.usual)
 
 
 def wrong_input(values, array):
@@ -52,11 +97,11 @@ def wrong_input(values, array):
         try:
             numbers = np.asarray(value, dtype=float)
         except (TypeError, ValueError):
-            return ValueError(f"{row.name} is {value!r}; permitted is {kind}, in {row.unit}")
+            return ValueError(f"{row.keyword} is {value!r}; permitted is {kind}{_behind(row)}")
         if numbers.ndim > array:
-            return ValueError(f"{row.name} has the shape {numbers.shape}; permitted is {kind}"
+            return ValueError(f"{row.keyword} has the shape {numbers.shape}; permitted is {kind}"
                               f"{'' if array else '; evaluate_many takes arrays'}")
-    shapes = ", ".join(f"{row.name} {np.shape(value)}" for row, value in zip(INPUTS, values)
+    shapes = ", ".join(f"{row.keyword} {np.shape(value)}" for row, value in zip(INPUTS, values)
                        if np.ndim(value))
     return ValueError(f"the inputs have the shapes {shapes}; permitted are arrays of one length")
 

@@ -20,7 +20,7 @@ class Track(Checked):
     ``rail_inclination`` [1]."""
 
     rail_inclination: float = number(1 / 40, 0.0, 0.1, "1", "Inclination of the rail to the track centre as "
-                                     "a slope; 0.025 is 1:40")
+                                     "a slope; 0.025 is 1:40", ratio=True)
     gauge: float = number(1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails",
                           nominal=1.0)
     gauge_depth: float = number(0.014, 0.005, 0.035, "m", "Depth below the highest point of the inclined "
@@ -202,7 +202,9 @@ def checked_parameters(given, groups):
     for name, group in groups.items():
         if group is not None:
             if not isinstance(group, GROUPS[name]):
-                raise ValueError(f"{name} is {group!r}; permitted is a {GROUPS[name].__name__}")
+                hint = ("; its coefficient is left_friction and right_friction of evaluate"
+                        if name == "friction" else "")
+                raise ValueError(f"{name} is {group!r}; permitted is a {GROUPS[name].__name__}{hint}")
             _take(group, given, name)
     for family in FAMILIES:
         method = given.get(family.parameter)
@@ -234,12 +236,12 @@ def on_the_left(parameters):
     return parameters | {name: value for name, value in own.items() if value is not None}
 
 
-def warn_of_parameters(parameters, stacklevel):
+def warn_of_parameters(parameters):
     """Give an UnusualValueWarning for every number of ``parameters`` outside its usual range."""
     for name, value in parameters.items():
         known = PARAMETERS[name].number
         if known is not None and value is not None:
-            warn_unusual(name, value, known.unit, known.usual, stacklevel + 1)
+            warn_unusual(name, value, known.unit, known.usual)
 
 
 def _take(record, given, argument):
@@ -247,7 +249,7 @@ def _take(record, given, argument):
     another value."""
     for keyword, name in record.keywords().items():
         own, other = getattr(record, name), given.get(keyword)
-        if other is not None and other != own:
+        if other is not None and PARAMETERS[keyword].checked(other) != own:
             unit = unit_behind(PARAMETERS[keyword].number.unit)
             raise ValueError(f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
                              "permitted is one value")

@@ -10,10 +10,10 @@ ValueError: gauge is 1435; permitted is 0.5 ... 2 m
 """
 
 import math
-import warnings
 from dataclasses import dataclass, field, fields
 from numbers import Real
 
+from .caller import warn_caller
 from .words import did_you_mean
 
 
@@ -36,11 +36,11 @@ class UnusualValueWarning(UserWarning):
                 f"{unit_behind(self.unit)}. It is used as it is.")
 
 
-def warn_unusual(name, value, unit, usual, stacklevel):
+def warn_unusual(name, value, unit, usual):
     """Give an :class:`UnusualValueWarning` where the finite ``value`` lies outside ``usual``, which may be
     None."""
     if usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]:
-        warnings.warn(UnusualValueWarning(name, value, unit, usual), stacklevel=stacklevel + 1)
+        warn_caller(UnusualValueWarning(name, value, unit, usual))
 
 
 #: Every record of numbers is a dataclass of this kind.
@@ -65,6 +65,7 @@ class Number:
     python_only : an FMU and the command line do not have it.
     usual : (low, high) outside which a value is permitted but rather a typing error; see
         :class:`UnusualValueWarning`.
+    ratio : whether it may also be a text, "1:40" or "1/40".
     """
 
     default: float | int | None
@@ -78,6 +79,7 @@ class Number:
     start: float | None = None
     python_only: bool = False
     usual: tuple | None = None
+    ratio: bool = False
 
     def checked(self, name, value, context=""):
         """``value`` as a float or int within the range; None where that is the default.
@@ -90,8 +92,10 @@ class Number:
         """
         if value is None and self.default is None:
             return None
-        countable = isinstance(value, Real) and not isinstance(value, bool)
-        found = _number(value) if countable or not self.whole else math.nan
+        if self.ratio and isinstance(value, str):
+            found = ratio_of(value)
+        else:
+            found = _number(value) if isinstance(value, Real) or not self.whole else math.nan
         if not self.low <= found <= self.high or (self.whole and found != int(found)):
             raise ValueError(f"{name} is {value!r}; permitted {self._permitted(context)}")
         return int(found) if self.whole else found
@@ -99,7 +103,8 @@ class Number:
     def _permitted(self, context):
         if self.whole:
             return f"are whole numbers {self.low} ... {self.high}"
-        return f"{context}is {self.low:g} ... {self.high:g}{unit_behind(self.unit)}"
+        also = ", or a ratio such as '1:40'" if self.ratio else ""
+        return f"{context}is {self.low:g} ... {self.high:g}{unit_behind(self.unit)}{also}"
 
 
 def number(default, low, high, unit, meaning, **more):
@@ -149,9 +154,24 @@ def unit_behind(unit):
     return "" if unit == "1" else f" {unit}"
 
 
+def ratio_of(text):
+    """The number of a ``text`` such as "1:40", "1/40" or "0.025"; not a number where it is none."""
+    try:
+        rise, _, run = text.replace("/", ":").partition(":")
+        return float(rise) / float(run or 1)
+    except (ValueError, ZeroDivisionError):
+        return math.nan
+
+
+def is_plain(value):
+    """Whether ``value`` is neither a text nor a truth value, which float() would take for numbers."""
+    truth = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+    return not truth and not isinstance(value, (str, bytes))
+
+
 def _number(value):
     """``value`` as a float; not a number where it is none."""
     try:
-        return float(value)
+        return float(value) if is_plain(value) else math.nan
     except (TypeError, ValueError):
         return math.nan

@@ -31,7 +31,7 @@ def wheel_locus(system, state, side):
     profile = readable_wheel(system.wheel if side == "right" else system.left_wheel)
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]
     z, slope, _ = profile.evaluate(y)
-    pose = np.array([state.inputs[0], state.inputs[1], state.roll])
+    pose = np.array([state.inputs.lateral_shift, state.inputs.yaw, state.roll])
     sign = 1.0 if side == "right" else MIRROR[0]
     place = Place.at(np.zeros(PLACE_SIZE))
     chosen = system.side_parameters(side)
@@ -53,7 +53,7 @@ def _along(place, y, z, slope):
 def stations_along(system, state, side, station):
     """Track coordinate x [m] of the wheel's locus at the stations of an outline (n,), from the contact point
     on; zero without yaw."""
-    if state.inputs[1] == 0.0:
+    if state.inputs.yaw == 0.0:
         return np.zeros_like(station)
     sign, contact = (1.0 if side == "right" else MIRROR[0]), getattr(state, side).contact
     y, z = rail_outline(system, side, state)

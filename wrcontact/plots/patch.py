@@ -1,12 +1,15 @@
 """Pictures of a contact patch: its outline in the contact plane, its pressure in colour, and the pressure on
 its centre line."""
 
+from functools import wraps
+
 import numpy as np
 from matplotlib.colors import Normalize
 from scipy.interpolate import Akima1DInterpolator
 
 from ..conventions import SIDES
 from ..methods.numbers import check_choice
+from ..state import WheelsetState
 from .geometry import stations_along
 from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, given_axes, new_figure, styled
 
@@ -134,42 +137,77 @@ def chosen_sides(side):
     return (side,)
 
 
+def of_one_pose(alone=False):
+    """Decorator for pictures of one pose: they get ``system`` and ``state`` in this order, whichever comes
+    first in the call; with ``alone`` they may get the state without its system, which is then None.
+
+    They raise a TypeError, in a sentence, where there is no state, or where it is that of many poses.
+    """
+
+    def decorate(draw):
+        @wraps(draw)
+        def drawing(system=None, state=None, *more, **options):
+            if isinstance(system, WheelsetState):
+                system, state = state, system
+            if not isinstance(state, WheelsetState):
+                raise TypeError(f"state is {state!r}; permitted is what system.evaluate returns")
+            if state.values.ndim > 1:
+                raise TypeError(f"state is a table of {len(state)} poses; permitted is one of them, such as "
+                                "table[0]")
+            if system is None and not alone:
+                raise TypeError(f"system is None; permitted is {draw.__name__}(system, state)")
+            return draw(system, state, *more, **options)
+
+        return drawing
+
+    return decorate
+
+
 @styled
-def outline_figure(state, system=None, ax=None, side=None):
+@of_one_pose(alone=True)
+def outline_figure(system, state, ax=None, side=None):
     """The patches of both wheels at one pose, or of one ``side``, above their pressure; in the axes ``ax``
     (2, 2) or (2, 1), or in a new figure; returns the figure.
 
-    With its ``system`` the patches of a yawed wheelset lie where they are along the track; without, all lie
-    beside the contact point.
+    With its ``system`` the patches of a yawed wheelset lie where they are along the track; without, in
+    ``outline_figure(state)``, all lie beside the contact point.
     """
     sides = chosen_sides(side)
     if ax is None:
         ax = new_figure(4.25 * len(sides), 6.6).subplots(2, len(sides), height_ratios=(2.3, 1))
     figure, panels = given_axes(ax, (2, len(sides)))
-    draw_outlines(figure, panels, state, system, sides)
+    draw_outlines(figure, panels, system, state, sides)
     return figure
 
 
-def draw_outlines(figure, panels, state, system=None, sides=SIDES):
+def draw_outlines(figure, panels, system, state, sides=SIDES):
     """Draw patch and pressure of the ``sides`` into ``panels`` (2, number of sides), with a common scale."""
-    loaded = [name for name in sides if getattr(state, name).patch_count]
-    places = {name: patch_places(system, state, name) if system is not None else 0.0 for name in loaded}
-    outlines = [getattr(state, name).outline for name in loaded]
+    missing = {name: _missing(getattr(state, name)) for name in sides}
+    drawn = [name for name in sides if not missing[name]]
+    places = {name: patch_places(system, state, name) if system is not None else 0.0 for name in drawn}
+    outlines = [getattr(state, name).outline for name in drawn]
     for name, upper, lower in zip(sides, *panels):
         side = getattr(state, name)
         upper.set_label(f"{name} patch")
         lower.set_label(f"{name} pressure")
         upper.set_title(_headline(name, side))
-        if side.patch_count:
+        if missing[name]:
+            _leave_empty(missing[name], upper, lower)
+        else:
             half = max(window_size(outlines, places.values()))
             mesh = draw_patch(upper, side.outline, pressure_scale(outlines), places[name])
             frame_patch(upper, side.outline, half, half, np.mean(_ends(side.outline, places[name])))
             upper.set(ylabel="rolling direction [mm]")
             _draw_below(upper, lower, side.outline, SIDE_COLOUR[name], pressure_scale(outlines))
-        else:
-            _leave_empty(upper, lower)
-    if loaded:
+    if drawn:
         figure.colorbar(mesh, ax=list(panels[0]), label="pressure [MPa]", shrink=0.9)
+
+
+def _missing(side):
+    """Why a wheel has no outline, in words; "" where it has one."""
+    if side.patch_count == 0:
+        return "unloaded"
+    return "" if np.all(np.isfinite(side.outline.station)) else "not computed"
 
 
 def _draw_below(upper, lower, outline, colour, scale):
@@ -181,15 +219,16 @@ def _draw_below(upper, lower, outline, colour, scale):
 
 def _headline(name, side):
     """Title of one wheel's contact, in two lines."""
-    if not side.patch_count:
-        return f"{name.capitalize()} wheel: no load,\nno patch"
+    if not side.patches:
+        reason = "no load" if side.patch_count == 0 else "not computed"
+        return f"{name.capitalize()} wheel: {reason},\nno patch"
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")
     return (f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
             f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa")
 
 
-def _leave_empty(*panels):
-    """Panels of a wheel without load."""
+def _leave_empty(reason, *panels):
+    """Panels of a wheel without outline."""
     for panel in panels:
         panel.set(xticks=[], yticks=[])
-        panel.text(0.5, 0.5, "unloaded", transform=panel.transAxes, ha="center", va="center", color=QUIET)
+        panel.text(0.5, 0.5, reason, transform=panel.transAxes, ha="center", va="center", color=QUIET)

@@ -3,9 +3,8 @@
 import numpy as np
 
 from ..conventions import SIDES
-from ..kernel import layout
 from .geometry import rail_outline, wheel_outline
-from .patch import chosen_sides, draw_outlines
+from .patch import chosen_sides, draw_outlines, of_one_pose
 from .style import (
     CONTACT_COLOUR,
     DEGREE,
@@ -29,6 +28,7 @@ HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
 
 
 @styled
+@of_one_pose()
 def pose_figure(system, state, ax=None):
     """Both wheels on their rails at one pose, seen in the direction of travel, above patches and pressures;
     in the axes ``ax`` (3, 2) or in a new figure; returns the figure."""
@@ -36,11 +36,12 @@ def pose_figure(system, state, ax=None):
         ax = _titled(new_figure(9, 9.6), system, state).subplots(3, 2, height_ratios=(2, 3.9, 1.6))
     figure, panels = given_axes(ax, (3, 2))
     draw_contacts(panels[0], system, state)
-    draw_outlines(figure, panels[1:], state, system)
+    draw_outlines(figure, panels[1:], system, state)
     return figure
 
 
 @styled
+@of_one_pose()
 def contact_figure(system, state, ax=None, side=None):
     """Both wheels on their rails at one pose, or one ``side``, seen in the direction of travel; in the axes
     ``ax`` (2,) or (1,), or in a new figure; returns the figure."""
@@ -112,7 +113,7 @@ def _describe(contact, side):
 
 def _headline(system, state):
     """Pose, load and roll in one line."""
-    shift, yaw = state.inputs[:2]
+    shift, yaw = state.inputs.lateral_shift, state.inputs.yaw
     return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, "
             f"{_load(system, state)}: roll {number(state.roll / DEGREE, 3)}°")
 
@@ -121,6 +122,6 @@ def _load(system, state):
     """Text on the load: forces, or the height of the wheelset."""
     if system.parameters["contact_mode"] == "compliant":
         return f"{number(state.vertical_shift / MM, 3)} mm down"
-    force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]
+    force, transfer = state.inputs.normal_force, state.inputs.load_transfer
     return f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}"
                                                               if transfer else "")

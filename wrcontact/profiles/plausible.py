@@ -33,11 +33,11 @@ FLANGE, FLAT, RISE, BACK, STEEP = 15.0, 0.2, 1.0, 0.5, 3.0
 LARGER, ASIDE = 1.0, 1.0
 
 
-def remark_wheels(system, stacklevel):
+def remark_wheels(system):
     """Give a :class:`~wrcontact.ProfileWarning` on each wheel of a :class:`~wrcontact.ContactSystem` with an
     implausible origin."""
     for wheel in dict.fromkeys((system.wheel, system.left_wheel)):
-        remark("wheel", wheel.name, remarks_on(wheel, system.parameters), stacklevel + 2)
+        remark("wheel", wheel.name, remarks_on(wheel, system.parameters))
 
 
 def remarks_on(wheel, parameters):

@@ -6,6 +6,7 @@ import warnings
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from ..methods.caller import warn_caller
 from ..methods.numbers import UnusualValueWarning
 
 
@@ -51,10 +52,10 @@ class Refusal(ValueError):
     """Why a file cannot be used, without its name: "has 5 points; permitted are 10 or more"."""
 
 
-def remark(kind, name, remarks, stacklevel=4):
+def remark(kind, name, remarks):
     """Give one :class:`ProfileWarning` with all ``remarks`` on a profile, if there are any."""
     if remarks:
-        warnings.warn(ProfileWarning(kind, name, by_weight(remarks)), stacklevel=stacklevel)
+        warn_caller(ProfileWarning(kind, name, by_weight(remarks)))
 
 
 def by_weight(remarks):

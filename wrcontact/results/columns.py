@@ -11,10 +11,17 @@ from ..interface.rows import Run
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from ..kernel import layout
 from ..methods.numbers import check_choice
+from ..methods.words import did_you_mean
 
 SIDES = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
 #: The number of a side's outputs that each depth computes.
 DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometry": layout.SIDE_PENETRATION}
+#: Outputs that are there whatever is wanted.
+ALWAYS = ("roll", "vertical_shift")
+#: The outcome of a step, which every table has; who asks for it by name gets that of the whole contact.
+STATUS = "status"
+PERMITTED = ("; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
+             "'roll' (docs/nomenclature.md)")
 RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
 INPUT_PLACES = {v.name: v.index for v in VARIABLES if v.causality == INPUT}
 #: Variables of the kernel's outputs by name.
@@ -110,34 +117,43 @@ def _named(side, outputs, width):
     else:
         chosen = [full for name in outputs for full in _matching(name, known, "has")]
     if not chosen:
-        raise ValueError("outputs is empty; permitted are 'all', 'patches', 'geometry', or names of outputs")
-    whole = any(name.startswith(("force", "moment")) for name in chosen)
-    if side == "both" and not whole:
-        owners = {owner for name in chosen for owner in SIDES if name.startswith(f"{owner}.")}
-        side = owners.pop() if len(owners) == 1 else "both"
-    places = np.array(list(dict.fromkeys(known[name] for name in chosen)))
-    return Selection(side, max((_depth(name, known[name]) for name in chosen),
-                               key=list(reversed(DEPTH_SIZES)).index), places)
+        raise ValueError(f"outputs is empty{PERMITTED}")
+    owners = {_owner(name) for name in chosen if name not in ALWAYS}
+    if side == "both" and len(owners) == 1:
+        side = owners.pop()
+    depth = max((_depth(name, known.get(name)) for name in chosen), key=list(reversed(DEPTH_SIZES)).index)
+    places = dict.fromkeys(known[name] for name in chosen if name != STATUS)
+    return Selection(side, depth, np.array([*places], dtype=int))
 
 
 def _matching(name, known, verb):
+    """Names of the outputs that ``name`` means."""
+    if name == STATUS:
+        return [name]
     found = [full for full in known
              if isinstance(name, str) and (full == name or full.startswith((f"{name}.", f"{name}[")))]
     if not found:
-        raise ValueError(f"outputs {verb} {name!r}; permitted are 'all', 'patches', 'geometry', or names "
-                         "such as 'right.area', 'right.patch' and 'roll' (docs/nomenclature.md)")
+        words = dict.fromkeys(re.sub(r"\[\d+\]", "", full) for full in known)
+        hint = did_you_mean(name, [STATUS, *DEPTH_SIZES, *words])
+        raise ValueError(f"outputs {verb} {name!r}{PERMITTED}{hint}")
     return found
+
+
+def _owner(name):
+    """Whose output this is: "left", "right", or "both" for the wheelset's."""
+    side = name.partition(".")[0]
+    return side if side in SIDES else "both"
 
 
 def _depth(name, place):
     """What has to be computed for the output ``name`` at this place."""
     if is_run(name):
         return "all"
-    if name.startswith(("force", "moment")) or name.endswith(".patch_count"):
-        return "patches"
-    owner = next((first for side, first in SIDES.items() if name.startswith(f"{side}.")), None)
-    loaded = owner is not None and place - owner >= layout.SIDE_PENETRATION
-    return "patches" if loaded else "geometry"
+    if name in ALWAYS:
+        return "geometry"
+    owner = _owner(name)
+    loaded = owner == "both" or place - SIDES[owner] >= layout.SIDE_PENETRATION
+    return "patches" if loaded or name.endswith(".patch_count") else "geometry"
 
 
 class Kept:
@@ -159,9 +175,12 @@ class Kept:
     def __getitem__(self, key):
         """``self[..., place]`` (n,) or ``self[..., first:stop]`` (n, m)."""
         columns = self._columns[key[-1]]
-        found = self.values[:, columns]
-        return np.where(columns < 0, np.nan, found)
+        if self.values.shape[1] == 0:
+            return np.full((len(self.values), *columns.shape), np.nan)
+        return np.where(columns < 0, np.nan, self.values[:, columns])
 
     def row(self, place):
         """One row with all columns (width,)."""
-        return np.where(self._columns < 0, np.nan, self.values[place][self._columns])
+        found = np.full(len(self._columns), np.nan)
+        found[self._columns >= 0] = self.values[place][self._columns[self._columns >= 0]]
+        return found

@@ -38,8 +38,8 @@ def _many(table):
     shifts, columns = table["lateral_shift"], [(table[name], units.get(name, "1")) for name in names]
     rows = [(str(k), shown(shifts[k], "m"), *(shown(values[k], unit) for values, unit in columns),
              str(int(np.asarray(table.status)[k]))) for k in range(count)]
-    more = f", the first {count} of them" if count < len(table) else ""
-    return html_table(f"{len(table)} poses{more}", headings, rows)
+    more = f"; the first {count}" if count < len(table) else ""
+    return html_table(f"{table.summary}{more}", headings, rows)
 
 
 def _bracket(unit):

@@ -31,7 +31,10 @@ def short(value):
     if np.ndim(value) == 0:
         return f"{value:.5g}"
     finite = np.asarray(value)[np.isfinite(value)]
-    return f"{finite.min():.5g} ... {finite.max():.5g}" if finite.size else "nan"
+    if not finite.size:
+        return "nan"
+    low, high = f"{finite.min():.5g}", f"{finite.max():.5g}"
+    return low if low == high else f"{low} ... {high}"
 
 
 class ShortText:

@@ -17,7 +17,6 @@ debugger, and as the library's witness).
 
 import ctypes
 import os
-import warnings
 from functools import lru_cache, partial
 from importlib import import_module
 from pathlib import Path
@@ -31,6 +30,7 @@ from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, STAR
                       WORK_SIZE, Inputs, Setup, State, Tables, Work)
 from ..patch.outline import row_size
 from ..prepare.pieces import FULL
+from ...methods.caller import warn_caller
 
 #: How many numbers the tables get room for at first, and at most.
 TABLE_ROOM, MOST_ROOM = 100_000, 10_000_000
@@ -56,8 +56,7 @@ def default_kernel():
     except LibraryUnusable as reason:
         if choice == "compiled":
             raise
-        warnings.warn(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.",
-                      RuntimeWarning, stacklevel=2)
+        warn_caller(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.", RuntimeWarning)
         return Kernel()
 
 
