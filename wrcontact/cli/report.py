@@ -16,7 +16,7 @@ from ..interface.rows import single_numbers
 from ..kernel import layout
 from ..results.words import shown, unit_name
 from ..status import Status, explain
-from .options import SWEEP, Typed
+from .typed import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
 #: What only creep forces give, and the parts of a force without them.
