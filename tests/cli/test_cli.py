@@ -306,8 +306,8 @@ def test_a_force_in_wrong_units_is_remarked_once(run):
             "wrcontact: --nominal-radius-mm is 920 mm; usual is 125 ... 700 mm. It is used as it is.",
             "wrcontact: --normal-force-kn is 5000 kN; usual is 0.5 ... 1000 kN. It is used as it is."]
     code, out, err = run("solve", "--normal-force-kn", 0.0785)
-    assert code == 0 and err == ("wrcontact: --normal-force-kn is 0.0785 kN; usual is 0.5 ... 1000 kN. It is used "
-                                 "as it is.\n")
+    assert code == 0 and err == ("wrcontact: --normal-force-kn is 0.0785 kN; usual is 0.5 ... 1000 kN. It is "
+                                 "used as it is.\n")
     assert run("solve", "--normal-force-kn", 0)[2] == ""      # a lifted wheel
 
 

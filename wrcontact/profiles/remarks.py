@@ -63,8 +63,15 @@ def by_weight(remarks):
     return sorted(remarks, key=lambda one: not isinstance(one, Grave))
 
 
+def sentences_of(warning):
+    """The sentences of a warning: of a :class:`ProfileWarning` each remark, with the name of the file."""
+    if not isinstance(warning, ProfileWarning):
+        return [str(warning)]
+    return [f"{warning.kind} profile {warning.name}: {one}" for one in warning.remarks]
+
+
 @contextmanager
-def remarks_in_lines(prefix, lines):
+def remarks_in_lines(prefix, lines=sentences_of):
     """Inside this context, each ProfileWarning or UnusualValueWarning is printed on the error stream, as
     lines "prefix: sentence"; ``lines(warning)`` are the sentences, of which each is printed once."""
     categories = (ProfileWarning, UnusualValueWarning)
