@@ -112,8 +112,10 @@ class Stepper:
             raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
                              "is none, since it follows from the load or from the height")
         try:
-            left, right = np.broadcast_to(np.nan if penetration is None
-                                          else np.asarray(penetration, dtype=float), 2)
+            given = np.asarray(np.nan if penetration is None else penetration)
+            if given.dtype.kind in "Ub":        # numpy takes texts and truth values for numbers
+                raise TypeError
+            left, right = np.broadcast_to(given.astype(float), 2)
         except (TypeError, ValueError):
             raise ValueError(f"penetration is {penetration!r}; permitted is one number or (left, right) "
                              "[m]") from None

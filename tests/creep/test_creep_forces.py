@@ -141,8 +141,9 @@ def test_what_is_no_number_is_refused():
         wrcontact.creep_forces(PATCH, friction="0.3")
     with pytest.raises(TypeError, match="creepage_x must be a number, not bool"):
         wrcontact.creep_forces(PATCH, creepage_x=True)
-    with pytest.raises(TypeError, match="station must be numbers"):
-        wrcontact.outlined_patch(["a", "b", "c"], [0] * 3, [0] * 3)
+    for station in (["a", "b", "c"], ["1", "2", "3"], [False, True, True]):
+        with pytest.raises(TypeError, match="station must be numbers"):
+            wrcontact.outlined_patch(station, [0] * 3, [0] * 3)
     with pytest.raises(TypeError, match="patch is a float"):
         wrcontact.creep_forces(1.0)
 

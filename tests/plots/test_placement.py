@@ -1,6 +1,7 @@
 """Pictures in the caller's axes, long titles, curves inside their panels, and yawed patches at their own
 place along the track."""
 
+import inspect
 from dataclasses import replace
 
 import numpy as np
@@ -83,10 +84,10 @@ def test_the_locus_passes_the_contact_point_and_the_other_patch(shift, side, yaw
 def test_two_patches_are_drawn_at_their_own_places():
     state = SYSTEM.evaluate(**YAWED)
     first, second = (mesh.get_coordinates()[..., 1] for mesh in
-                     panel(plots.outline_figure(state, SYSTEM), "right patch").collections[:2])
+                     panel(plots.outline_figure(SYSTEM, state), "right patch").collections[:2])
     middles = [np.mean([part.min(), part.max()]) for part in (first, second)]     # [mm] flange root, tread
     assert middles == pytest.approx([1.8, 0.0], abs=0.15)
-    axes = panel(plots.outline_figure(state, SYSTEM), "right patch")
+    axes = panel(plots.outline_figure(SYSTEM, state), "right patch")
     low, high = axes.get_ylim()
     assert low < min(first.min(), second.min()) and max(first.max(), second.max()) < high
     without = panel(plots.outline_figure(state), "right patch").collections[0].get_coordinates()[..., 1]
@@ -107,7 +108,7 @@ def drawn(report):
     swept = plots.sweep(SYSTEM, np.linspace(-1, 1, 5) * MM)
     return {
         "sweep": (lambda ax: plots.sweep_figure(swept, ax=ax), (1, 3)),
-        "outline": (lambda ax: plots.outline_figure(state, SYSTEM, ax=ax), (2, 2)),
+        "outline": (lambda ax: plots.outline_figure(SYSTEM, state, ax=ax), (2, 2)),
         "outline of one side": (lambda ax: plots.outline_figure(state, ax=ax, side="right"), (2, 1)),
         "contact": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax), (1, 2)),
         "contact of one side": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax, side="left"), (1, 1)),
@@ -134,6 +135,51 @@ def test_another_number_of_axes_is_refused(report, name):
 def test_an_unknown_side_is_refused():
     with pytest.raises(ValueError, match="side is 'up'"):
         plots.contact_figure(SYSTEM, SYSTEM.evaluate(), side="up")
+
+
+@pytest.mark.parametrize("draw", [plots.outline_figure, plots.contact_figure, plots.pose_figure])
+def test_the_system_comes_first_and_may_come_second(draw):
+    """In one order; calls in the other one work too."""
+    shown = list(inspect.signature(draw).parameters)
+    assert shown == ["system", "state", "ax", "side"][:len(shown)]
+    state = SYSTEM.evaluate(**YAWED)
+    pictures = [draw(SYSTEM, state), draw(state, SYSTEM), draw(state=state, system=SYSTEM),
+                draw(state, system=SYSTEM)]
+    shapes = [[[path.vertices for part in axes.collections for path in part.get_paths()]
+               + [line.get_xydata() for line in axes.lines] for axes in picture.axes] for picture in pictures]
+    for other in shapes[1:]:
+        assert len(other) == len(shapes[0]) > 1
+        for some, same in zip(shapes[0], other):
+            for one, two in zip(some, same):
+                np.testing.assert_array_equal(one, two)
+
+
+def test_axes_and_side_follow_in_this_order():
+    state = SYSTEM.evaluate(**YAWED)
+    for draw, shape in ((plots.outline_figure, (2, 1)), (plots.contact_figure, (1, 1))):
+        for first in ((SYSTEM, state), (state, SYSTEM)):
+            figure = Figure()
+            assert draw(*first, figure.subplots(*shape), "left") is figure
+
+
+@pytest.mark.parametrize("draw, given, words", [
+    (plots.pose_figure, lambda state: (state,), r"system is None; permitted is pose_figure\(system, state\)"),
+    (plots.contact_figure, lambda state: (SYSTEM,), "state is None; permitted is what system.evaluate"),
+    (plots.outline_figure, lambda state: (SYSTEM, SYSTEM.evaluate_many([0.0, 1e-3])),
+     r"state is a table of 2 poses; permitted is one of them, such as table\[0\]"),
+])
+def test_a_picture_of_no_pose_is_refused(draw, given, words):
+    with pytest.raises(TypeError, match=f"^{words}"):
+        draw(*given(SYSTEM.evaluate()))
+
+
+@pytest.mark.parametrize("wanted, left, right", [
+    ({"side": "right"}, "not computed", ""), ({"outputs": "patches"}, "not computed", "not computed"),
+    ({"outputs": "geometry"}, "not computed", "not computed"), ({"load_transfer": 1.0}, "unloaded", "")])
+def test_a_wheel_that_is_not_drawn_says_why(wanted, left, right):
+    figure = plots.outline_figure(SYSTEM, SYSTEM.evaluate(1e-3, **wanted))
+    for side, words in (("left", left), ("right", right)):
+        assert "".join(text.get_text() for text in panel(figure, f"{side} patch").texts) == words
 
 
 def test_plots_are_reachable_from_the_package():

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from wrcontact.interface.inputs import INPUTS
 
 SYSTEM = wrcontact.ContactSystem()
 SHIFTS = np.array([0.0, 5e-3, 20e-3, -3e-3])  # [m] one patch, two patches, off the profile, one patch
@@ -45,8 +46,10 @@ def test_names_lead_to_the_properties(table, state):
     assert list(table.names) == [v.name for v in wrcontact.interface.variables.VARIABLES
                                  if v.causality == "output" and v.index is not None]
     np.testing.assert_array_equal(np.stack([table[name] for name in table.names], axis=1), table.values)
-    with pytest.raises(KeyError, match="right.ara"):
+    with pytest.raises(KeyError, match="right.ara'; did you mean right.area"):
         table["right.ara"]
+    with pytest.raises(KeyError, match="'zzz'; .names lists them"):
+        table["zzz"]
     with pytest.raises(TypeError, match="one pose"):
         state[0]
 
@@ -64,6 +67,66 @@ def test_a_vector_is_an_array(table, state):
     np.testing.assert_array_equal(np.asarray(state.force), [state.force.x, state.force.y, state.force.z])
     assert np.linalg.norm(state.force) > 1e5 and len([*state.moment]) == 3
     assert np.asarray(table.force).shape == (4, 3)
+
+
+def test_a_vector_is_a_sequence_of_three(table, state):
+    force = state.force
+    assert (force[0], force[1], force[-1]) == (force.x, force.y, force.z) and force[1] < 0.0
+    assert len(force) == 3 and tuple(force) == force[:] and force[1:] == (force.y, force.z)
+    x, y, z = table.right.patches[0].force
+    np.testing.assert_array_equal(table.right.patches[0].force[1], y)
+    assert len(table.force) == 3 and x.shape == z.shape == (4,)
+    with pytest.raises(IndexError):
+        force[3]
+
+
+def test_inputs_have_names(table):
+    state = SYSTEM.evaluate(5e-3, yaw=0.005, left_friction=0.2)
+    inputs = state.inputs
+    assert inputs.lateral_shift == inputs["lateral_shift"] == inputs[0] == 5e-3
+    assert isinstance(inputs.yaw, float)
+    assert inputs.left_friction == inputs["left.friction"] == inputs["left_friction"] == 0.2
+    assert inputs.to_dict()["left.friction"] == 0.2 and len(inputs.to_dict()) == len(INPUTS)
+    assert {row.keyword: getattr(inputs, row.keyword) for row in INPUTS} == dict(zip(
+        (row.keyword for row in INPUTS), np.asarray(inputs)))
+    np.testing.assert_array_equal(table.inputs.lateral_shift, SHIFTS)
+    np.testing.assert_array_equal(table.inputs["yaw"], np.full(4, 0.005))
+    assert table.inputs[1].lateral_shift == table[1].inputs.lateral_shift == 5e-3
+    np.testing.assert_array_equal(table.inputs[table.status == 0].lateral_shift, SHIFTS[[0, 1, 3]])
+    assert [row.lateral_shift for row in table.inputs] == SHIFTS.tolist()
+    with pytest.raises(KeyError, match="there is no input 'friction'; did you mean left.friction"):
+        inputs["friction"]
+    assert not hasattr(inputs, "friction")
+
+
+def test_inputs_are_an_array(table, state):
+    """As before they had names; what is no row of inputs has no names."""
+    assert isinstance(state.inputs, np.ndarray) and state.inputs.shape == (len(INPUTS),)
+    assert table.inputs.shape == (4, len(INPUTS)) and pickle.loads(pickle.dumps(state.inputs)).yaw == 0.005
+    for part in (state.inputs[:2], table.inputs[:, 0], table.inputs[:, :3], 2.0 * state.inputs,
+                 state.inputs == 1.0, np.asarray(state.inputs), state.inputs.max()):
+        assert not hasattr(part, "lateral_shift")
+    assert state.inputs.max() == 78.5e3 and state.inputs[:2].tolist() == [5e-3, 0.005]
+    assert wrcontact.explain(table[2].status, table[2].inputs).startswith("lateral_shift is 0.02 m")
+
+
+def test_the_text_of_inputs_has_units(table):
+    state = SYSTEM.evaluate(5e-3, speed=20.0)
+    assert repr(state.inputs) == str(state.inputs) == (
+        "Inputs(lateral_shift=0.005 m, yaw=0 rad, normal_force=78500 N, load_transfer=0, speed=20 m/s)")
+    assert repr(table.inputs) == ("Inputs(4 poses, lateral_shift=-0.003 ... 0.02 m, yaw=0.005 rad, "
+                                  "normal_force=78500 N, load_transfer=0)")
+
+
+def test_a_patch_is_true_where_it_is(table, state):
+    """The second pose of the table has two patches, no pose has three."""
+    assert [bool(patch) for patch in table.right.patches] == [True, True, False]
+    assert [bool(patch) for patch in table[:1].right.patches] == [True, False, False]
+    assert all(state.right.patches) and len(state.right.patches) == 2
+    absent = SYSTEM.evaluate(5e-3, outputs="geometry")
+    assert absent.right.patches == () and np.isnan(absent.right.patch_count)
+    assert not any(SYSTEM.evaluate_many(SHIFTS, outputs="geometry").right.patches)
+    assert state and table and state.right and state.force and not SYSTEM.evaluate_many([])
 
 
 def test_to_dict(table, state):
@@ -127,7 +190,7 @@ def test_parts_are_the_table(table):
     (lambda: SYSTEM.evaluate_many(0.0, roll_guess=np.zeros((2, 2))), "roll_guess has the shape"),
     (lambda: SYSTEM.evaluate(0.0, penetration=(1, 2, 3)), "penetration is .1, 2, 3."),
     (lambda: SYSTEM.evaluate(0.0, penetration="deep"), "penetration is 'deep'"),
-    (lambda: SYSTEM.evaluate(0.0, outputs=["roll"]), "outputs is"),
+    (lambda: SYSTEM.evaluate(0.0, outputs=["rol"]), "outputs has .rol.; permitted are .*; did you mean roll"),
     (lambda: wrcontact.ContactSystem(normal_model=[1]), "normal_model is"),
 ])
 def test_errors_name_the_argument(call, words):
@@ -146,6 +209,15 @@ def test_texts_are_short(table, state):
     assert "S1002" in repr(SYSTEM.wheel) and "wheel" in repr(SYSTEM.wheel)
 
 
+def test_the_text_of_a_table_counts_its_outcomes(table):
+    assert repr(table) == "WheelsetState(4 poses: 3 valid, 1 off profile)"
+    both = SYSTEM.evaluate_many([0.0, 0.0, 20e-3, 0.0], load_transfer=[0.0, 1.0, 0.0, 2.0])
+    words = "4 poses: 1 valid, 1 unloaded, 1 off profile, 1 invalid input"
+    assert repr(both) == f"WheelsetState({words})" and f"<caption>{words}</caption>" in both._repr_html_()
+    assert repr(table[:2]) == "WheelsetState(2 poses: 2 valid)"
+    assert repr(table[:0]) == "WheelsetState(0 poses)"
+
+
 def test_html(table, state):
     assert "<td>contact.y_wheel</td><td>mm</td>" in state._repr_html_()
     assert "4 poses" in table._repr_html_() and table._repr_html_().count("<tr>") == 5
@@ -162,6 +234,16 @@ def test_pandas(table):
     frame = table.to_pandas()
     np.testing.assert_array_equal(frame["right.patch[1].area"], table["right.patch[1].area"])
     assert frame["status"].tolist() == [0, 0, 2, 0] and frame.shape == (4, 29 + 543 + 1)
+
+
+@pytest.mark.full
+def test_one_state_is_a_table_of_one_row(table):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    row = table[1]
+    pandas.testing.assert_frame_equal(row.to_pandas(), table[1:2].to_pandas())
+    xarray.testing.assert_identical(row.to_xarray(), table[1:2].to_xarray())
+    some = SYSTEM.evaluate(5e-3, side="right").to_pandas()
+    assert some.shape == (1, 29 + 543 + 1) and np.isnan(some["left.area"][0]) and some["right.area"][0] > 0.0
 
 
 @pytest.mark.full

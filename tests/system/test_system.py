@@ -1,5 +1,6 @@
 """ContactSystem, its states and steppers: names, shapes, wrong input, memory."""
 
+import copy
 import math
 import pickle
 import warnings
@@ -219,3 +220,28 @@ def test_memory_stays_flat(system):
     before = resident.getrusage(resident.RUSAGE_SELF).ru_maxrss
     run()
     assert resident.getrusage(resident.RUSAGE_SELF).ru_maxrss - before < 1024    # [KiB]
+
+
+@pytest.mark.parametrize("copied", [lambda one: pickle.loads(pickle.dumps(one)), copy.deepcopy])
+@pytest.mark.parametrize("more", [{}, {"stations": 7, "contact_mode": "elastic"},
+                                  {"left_nominal_radius": 0.461, "tangential_model": "strips"}])
+def test_a_stepper_survives_pickling(more, copied):
+    """With what is wanted and prescribed, its inputs and outputs; both go on with the same bits."""
+    system = wrcontact.ContactSystem(normal_model="hertz", **more)
+    stepper = system.stepper("right", "patches")
+    if "contact_mode" not in more:
+        stepper.prescribe((4e-5, 5e-5))
+    stepper.inputs[:] = system.evaluate(2e-3, 0.01, speed=20.0).inputs
+    stepper.step()
+    other = copied(stepper)
+    for name in ("inputs", "outputs", "state"):
+        np.testing.assert_array_equal(getattr(other, name), getattr(stepper, name))
+    for shift in (3e-3, 3.1e-3, 0.1, -5e-3):
+        stepper.inputs[0] = other.inputs[0] = shift
+        assert other.step() == stepper.step()
+        np.testing.assert_array_equal(other.outputs, stepper.outputs)
+    other.inputs[0] = 1e-3
+    other.step()
+    assert other.outputs[0] != stepper.outputs[0]       # it has arrays of its own
+    if "contact_mode" not in more:
+        assert other.outputs[layout.OUT_RIGHT + layout.SIDE_PENETRATION] == 5e-5

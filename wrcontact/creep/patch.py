@@ -21,7 +21,10 @@ def check_number(name, value, unit, low, high):
 def check_run(name, values, unit, count):
     """``values`` as a new array of finite numbers (n,), ``count`` of them if that is given."""
     try:
-        array = np.array(values, dtype=float)
+        array = np.array(values)
+        if array.dtype.kind in "Ub":        # numpy takes texts and truth values for numbers
+            raise TypeError
+        array = array.astype(float)
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be numbers [{unit}], not {type(values).__name__}") from None
     if array.ndim != 1:

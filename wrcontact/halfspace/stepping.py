@@ -15,7 +15,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.wheelset.requested import has_creep_forces, is_requested
+from ..kernel.wheelset.requested import has_creep_forces, requested_outcome
 from ..kernel.wheelset.rubbing import move_patches
 from ..progress import tracked
 from ..status import Status
@@ -97,6 +97,7 @@ class HalfspaceSolver(Solver):
         wheels = [partial(self._pressed_side, index) for index in range(2)]
         if tables.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
             wheels, status = self._balanced()
+            status = requested_outcome(tables, work, status)
         solved = [self._press(index, wheels[index])
                   for index in tracked(range(2), "half-space of one pose", alone=True)]
         move_patches(tables, work)
@@ -107,22 +108,13 @@ class HalfspaceSolver(Solver):
 
     def _rub(self, solved, index, patch):
         """The creep force of a patch of the :class:`SolvedSide` ``index``."""
-        if solved[index] is None:
-            patch.creep_x = math.nan
-        else:
-            self._creep(solved[index], index, patch, self._work.sides[index].motion)
+        self._creep(solved[index], index, patch, self._work.sides[index].motion)
 
     def _press(self, index, wheel):
         """Fill a side's patches with those of its pressed wheel; the :class:`SolvedSide`, None for a wheel
-        without load, and for one that is not wanted, whose forces are not numbers."""
+        without load, and for one that is not wanted."""
         tables, side = self._tables, self._work.sides[index]
         if side.patch_count == 0:
-            return None
-        wanted = is_requested(tables, index) and tables.depth != layout.DEPTH_GEOMETRY
-        if not wanted and tables.mode == layout.MODE_COMPLIANT:
-            for patch in side.patches[:side.patch_count]:
-                patch.normal_y = patch.normal_z = math.nan
-                patch.normal_moment[:] = [math.nan] * 3
             return None
         wheel, (across, _) = wheel(), self._contact(index)
         if tables.mode == layout.MODE_RIGID:
@@ -210,7 +202,7 @@ class HalfspaceSolver(Solver):
         kernel, array, _, workspace, inputs, _ = self._pressed
         tables = layout.Tables.at(array)
         tables.mode = layout.MODE_COMPLIANT
-        tables.sides, tables.depth = self._tables.sides, self._tables.depth
+        tables.sides, tables.depth = layout.SIDES_BOTH, layout.DEPTH_PATCHES
         pressed = layout.Work.at(workspace)
         pressed.known = False
         inputs[:] = self._inputs

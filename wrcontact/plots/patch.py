@@ -157,11 +157,13 @@ def of_one_pose(alone=False):
 
     def decorate(draw):
         @wraps(draw)
-        def drawing(system=None, state=None, *more, **options):
-            if isinstance(system, WheelsetState):
-                system, state = state, system
-            if not isinstance(state, WheelsetState):
-                raise TypeError(f"state is {state!r}; permitted is what system.evaluate returns")
+        def drawing(*given, **options):
+            named = [options.pop(name) for name in ("system", "state") if name in options]
+            first, more = [*named, *given[:2 - len(named)]], given[2 - len(named):]
+            state = next((one for one in first if isinstance(one, WheelsetState)), None)
+            system = next((one for one in first if not isinstance(one, WheelsetState)), None)
+            if state is None:
+                raise TypeError("state is None; permitted is what system.evaluate returns")
             if state.values.ndim > 1:
                 raise TypeError(f"state is a table of {len(state)} poses; permitted is one of them, such as "
                                 "table[0]")

@@ -26,7 +26,8 @@ ROTATE = Number(0.0, -math.pi, math.pi, "rad", "Rotation of the points about x, 
 SHIFT = Number(0.0, -1.0, 1.0, "m", "Shift of the points")
 FORMS = {"rotate": "a number", "shift": "two numbers Y,Z",
          "file_inclination": "a ratio 1:40 or a slope 0.025"}
-INCLINATION = Number(None, 0.0, 0.1, "1", "Inclination that the rail in a file already has, as a slope")
+INCLINATION = Number(None, 0.0, 0.1, "1", "Inclination that the rail in a file already has, as a slope",
+                     ratio=True)
 
 
 @dataclass(frozen=True)

@@ -21,13 +21,15 @@ class Inputs(np.ndarray):
     table.
 
     ``inputs.lateral_shift`` and ``inputs["left.friction"]`` are a number, (n,) of a table.  For everything
-    else it is an array; its parts and what is computed with it are arrays without names.
+    else it is an array; whole rows keep the names, other parts and what is computed with it do not.
     """
 
     def __getitem__(self, key):
         array = self.view(np.ndarray)
         if not isinstance(key, str):
-            return array[key]
+            found = array[key]
+            whole = not isinstance(key, tuple) and np.shape(found)[-1:] == array.shape[-1:]
+            return found.view(Inputs) if whole else found
         if key not in PLACES:
             raise KeyError(f"there is no input {key!r}{did_you_mean(key, PLACES)}")
         return number(array[..., PLACES[key]])

@@ -29,6 +29,10 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     }
     n2 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n2;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY)
+    {
+        return status;
+    }
     if (status == layout__VALID)
     {
         derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
@@ -404,7 +408,6 @@ static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, 
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     int64_t index;
-    bool partial;
     int64_t i;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
@@ -420,8 +423,7 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
     {
         derivative_report__report_side_t(tables, work, work_t, index);
     }
-    partial = ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY);
-    if (partial && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_RIGID))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {

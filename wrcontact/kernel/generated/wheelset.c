@@ -62,6 +62,7 @@ static inline bool requested__is_rail_far(array_double_1d work);
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
+static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool requested__is_rolling(array_double_1d work);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline int64_t requested__release_friction(array_double_1d work);
@@ -497,7 +498,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
  * below zero.  Areas and pressures stay those of the elastic contact.
  */
 
-/* Both sides of the wheelset at the height and roll of the inputs; the outcome. */
+/* The requested sides of the wheelset at the height and roll of the inputs; the outcome. */
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work)
 {
     double roll;
@@ -518,9 +519,18 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     {
         return layout__OFF_PROFILE;
     }
-    status = compliant__load_at_height(tables, work, INT64_C(0), height);
-    outcome = compliant__load_at_height(tables, work, INT64_C(1), height);
-    status = int64_t_max(2, status, outcome);
+    status = layout__VALID;
+    side__clear_side(work, layout__WORK_SIDES);
+    side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+    if (requested__is_requested(tables, INT64_C(0)))
+    {
+        status = compliant__load_at_height(tables, work, INT64_C(0), height);
+    }
+    if (requested__is_requested(tables, INT64_C(1)))
+    {
+        outcome = compliant__load_at_height(tables, work, INT64_C(1), height);
+        status = int64_t_max(2, status, outcome);
+    }
     return status;
 }
 
@@ -546,7 +556,7 @@ static OUT_OF_LINE bool compliant__follow_starts(array_double_1d tables, array_d
     return known;
 }
 
-/* The load of a side whose wheelset has the vertical shift ``height`` [m]; its
+/* The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
  * outcome, UNLOADED if lifted.
  */
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height)
@@ -566,6 +576,10 @@ static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, arr
         return layout__OFF_PROFILE;
     }
     status = side__press_side(tables, work, index, approach);
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY)
+    {
+        return status;
+    }
     if (status == layout__VALID)
     {
         side__load_side(&count, &status, tables, work, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
@@ -1204,7 +1218,6 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
 static inline int64_t report__report(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
-    bool partial;
     int64_t i;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
@@ -1217,10 +1230,9 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
     {
         report__report_side(tables, work, index);
     }
-    partial = ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY);
-    if (partial && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_RIGID))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY))
     {
-        /* the resultant needs both sides and their loads */
+        /* the resultant is that of both sides and their loads */
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
@@ -1557,6 +1569,23 @@ static inline bool requested__is_requested(array_double_1d tables, int64_t index
     bool result;
     result = ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_LEFT + index);
     return result;
+}
+
+/* The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
+ * without load.
+ */
+static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status)
+{
+    int64_t outcome;
+    outcome = status;
+    if ((status == layout__UNLOADED) && ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH))
+    {
+        if (requested__side_force(work, (int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) - layout__SIDES_LEFT) > 0.0)
+        {
+            outcome = layout__VALID;
+        }
+    }
+    return outcome;
 }
 
 /* Whether the wheelset runs or its wheels turn: then there are no creepages. */
@@ -2456,6 +2485,7 @@ static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_dou
 {
     double roll;
     int64_t status;
+    int64_t result;
     elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
     if ((status <= layout__UNLOADED) && leaning__is_leaning(work))
     {
@@ -2463,7 +2493,8 @@ static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_dou
     }
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = step__support_height(work);
-    return status;
+    result = requested__requested_outcome(tables, work, status);
+    return result;
 }
 
 /* The height of a wheelset in equilibrium [m]: both sides' mean, which differ by rounding. */

@@ -8,14 +8,15 @@ below zero.  Areas and pressures stay those of the elastic contact.
 
 from typing import Final
 
-from ..layout import (MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch, SideSearch, Tables,
-                      Work, seldom)
+from ..layout import (DEPTH_GEOMETRY, MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch,
+                      SideSearch, Tables, Work, seldom)
 from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
 from ..search.roll import follow_side, nearest_start, place_both, search_both
 from .leaning import set_reference
+from .requested import is_requested
 from .rubbing import open_given_motion
-from .side import load_side, press_side, touch_side
+from .side import clear_side, load_side, press_side, touch_side
 from .trial import DEEPEST
 
 #: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known,
@@ -25,7 +26,7 @@ GRAZING: Final[float] = 1e-13
 
 @seldom
 def solve_compliant(tables: Tables, work: Work):
-    """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
+    """The requested sides of the wheelset at the height and roll of the inputs; the outcome."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
@@ -36,9 +37,14 @@ def solve_compliant(tables: Tables, work: Work):
         open_given_motion(tables, work)
     if not search_both(tables, work.sides, follow_starts(tables, work)):
         return OFF_PROFILE
-    status = load_at_height(tables, work, 0, height)
-    outcome = load_at_height(tables, work, 1, height)
-    status = max(status, outcome)
+    status = VALID
+    clear_side(work.sides[0])
+    clear_side(work.sides[1])
+    if is_requested(tables, 0):
+        status = load_at_height(tables, work, 0, height)
+    if is_requested(tables, 1):
+        outcome = load_at_height(tables, work, 1, height)
+        status = max(status, outcome)
     return status
 
 
@@ -59,7 +65,7 @@ def follow_starts(tables: Tables, work: Work) -> bool:
 
 @seldom
 def load_at_height(tables: Tables, work: Work, index: int, height: float):
-    """The load of a side whose wheelset has the vertical shift ``height`` [m]; its
+    """The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
     outcome, UNLOADED if lifted."""
     approach = height - work.sides[index].best
     if not approach > GRAZING:
@@ -67,6 +73,8 @@ def load_at_height(tables: Tables, work: Work, index: int, height: float):
     if approach > DEEPEST:
         return OFF_PROFILE
     status = press_side(tables, work, index, approach)
+    if tables.depth == DEPTH_GEOMETRY:
+        return status
     if status == VALID:
         count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
     if status == VALID and is_damped(tables):

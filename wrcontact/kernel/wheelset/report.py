@@ -7,7 +7,7 @@ normal from the rail to the wheel on both sides.
 
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, MODE_RIGID, PATCH_LIMIT, RUN_COUNT, SIDES_BOTH,
+from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, RUN_COUNT, SIDES_BOTH,
                       SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, ContactPoint, Outline, Patch,
                       PatchOutputs, SideOutputs, SideSearch, Tables, Vector, Work, clear, offset)
 from .requested import has_creep_forces, is_requested
@@ -29,9 +29,8 @@ def report(tables: Tables, work: Work):
     outputs.driving_torque = forces.driving_torque
     for index in range(2):
         report_side(tables, work, index)
-    partial = tables.sides != SIDES_BOTH or tables.depth == DEPTH_GEOMETRY
-    if partial and tables.mode == MODE_RIGID:
-        # the resultant needs both sides and their loads
+    if tables.sides != SIDES_BOTH or tables.depth == DEPTH_GEOMETRY:
+        # the resultant is that of both sides and their loads
         for i in range(3):
             outputs.force[i] = tables.absent
             outputs.moment[i] = tables.absent

@@ -16,8 +16,8 @@ from typing import Final
 from ..creep.friction import is_frictional
 from ..creep.motion import is_moderate
 from ..layout import (FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, LOAD_VERTICAL, MODE_COMPLIANT, OFF_PROFILE,
-                      RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT, TANGENTIAL_NONE, VALID,
-                      Inputs, Support, Tables, Work)
+                      RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT, TANGENTIAL_NONE,
+                      UNLOADED, VALID, Inputs, Support, Tables, Work)
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
@@ -81,6 +81,16 @@ def side_force(work: Work, index: int):
 def is_requested(tables: Tables, index: int) -> bool:
     """Whether the outputs of side ``index`` are requested."""
     return tables.sides == SIDES_BOTH or tables.sides == SIDES_LEFT + index
+
+
+def requested_outcome(tables: Tables, work: Work, status: int):
+    """The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
+    without load."""
+    outcome = status
+    if status == UNLOADED and tables.sides != SIDES_BOTH:
+        if side_force(work, tables.sides - SIDES_LEFT) > 0.0:
+            outcome = VALID
+    return outcome
 
 
 def is_rolling(inputs: Inputs) -> bool:

@@ -15,7 +15,7 @@ from .compliant import solve_compliant
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .requested import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, check_inputs, is_load_met,
-                        release_friction, share_load, side_force)
+                        release_friction, requested_outcome, share_load, side_force)
 from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
                       set_reference)
 from .rubbing import move_patches, rub_patches
@@ -88,7 +88,7 @@ def elastic_from_rigid(tables: Tables, work: Work, rigid_roll: float):
         roll, status = meet_leaning(tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
-    return status
+    return requested_outcome(tables, work, status)
 
 
 def support_height(work: Work):
