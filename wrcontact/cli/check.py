@@ -15,6 +15,7 @@ from ..conditioning.report import differing_left
 from ..interface.parameters import GEOMETRY, LEFT, SIDED
 from ..results.words import fixed
 from .report import console, plain
+from .typed import typed
 
 #: Lateral shifts of the printed table [mm].
 PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
@@ -75,7 +76,7 @@ def print_check(report):
             out.print(table)
     out.print("\nRemarks" + ("" if report.remarks else ": none"), soft_wrap=True)
     for remark in report.remarks:
-        out.print(f" * {remark}", soft_wrap=True)
+        out.print(f" * {typed(remark)}", soft_wrap=True)
 
 
 def _mm(value):

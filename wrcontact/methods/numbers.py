@@ -38,9 +38,11 @@ class UnusualValueWarning(UserWarning):
 
 def warn_unusual(name, value, unit, usual):
     """Give an :class:`UnusualValueWarning` where the finite ``value`` lies outside ``usual``, which may be
-    None."""
-    if usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]:
+    None; whether it does."""
+    unusual = usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]
+    if unusual:
         warn_caller(UnusualValueWarning(name, value, unit, usual))
+    return unusual
 
 
 #: Every record of numbers is a dataclass of this kind.
