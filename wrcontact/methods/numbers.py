@@ -45,6 +45,8 @@ def warn_unusual(name, value, unit, usual):
     return unusual
 
 
+#: What is permitted for a ``ratio`` too, where a text can be said.
+ALSO_RATIO = ", or a ratio such as '1:40'"
 #: Every record of numbers is a dataclass of this kind.
 frozen = dataclass(frozen=True, kw_only=True, repr=False)
 
@@ -105,7 +107,7 @@ class Number:
     def _permitted(self, context):
         if self.whole:
             return f"are whole numbers {self.low} ... {self.high}"
-        also = ", or a ratio such as '1:40'" if self.ratio else ""
+        also = ALSO_RATIO if self.ratio else ""
         return f"{context}is {self.low:g} ... {self.high:g}{unit_behind(self.unit)}{also}"
 
 

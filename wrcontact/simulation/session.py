@@ -36,7 +36,7 @@ from ..interface.variables import (
     VARIABLES,
 )
 from ..kernel import layout
-from ..methods.numbers import UnusualValueWarning, check_choice
+from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
 from ..system import ContactSystem
 from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
@@ -172,8 +172,8 @@ class Session:
                 if PARAMETERS[name].choices:      # Python has more of them than an FMU
                     check_choice(name, value, PARAMETERS[name].choices)
             return ContactSystem(**arguments).stepper()
-        except ValueError as wrong:         # without a proposal, as native FMUs have it
-            raise Refused(str(wrong).partition(PROPOSAL)[0]) from None
+        except ValueError as wrong:         # as native FMUs have it: no proposals, and no texts for numbers
+            raise Refused(str(wrong).partition(PROPOSAL)[0].removesuffix(ALSO_RATIO)) from None
 
     def _profile(self, name):
         """``name``, or the path of the file of that name in the resources."""
