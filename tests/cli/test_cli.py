@@ -402,7 +402,7 @@ def test_small_numbers_keep_four_digits(run):
     assert abs(tiny.left.patches[0].creepage.x) < 1e-3 and abs(tiny.left.wear_number) < 10.0
     table = run("sweep", "--from-mm", 0.1, "--to-mm", 0.1, *options[2:])[1].splitlines()
     power = next(line.split()[-1] for line in table if line.split()[:1] == ["0.100"])
-    assert power == f"{tiny.right.friction_power / 1e3:#.3g}" and float(power) < 0.05
+    assert power == f"{tiny.right.friction_power / 1e3:#.3g}" and float(power) < 0.1
 
 
 def test_without_creep_forces_none_are_printed(run):

@@ -158,11 +158,11 @@ def test_the_command_line_says_each_in_a_line(measured, capsys):
             main(words + more, prog_name="wrcontact")
         said = capsys.readouterr().err.splitlines()
         assert not ended.value.code and len(said) == 4
-        for line, words in zip(said, ("wheel profile worn.csv: 3 outliers of up to ",
+        for line, start in zip(said, ("wheel profile worn.csv: 3 outliers of up to ",
                                       f"wheel profile worn.csv: {done}, points moved by up to",
                                       "rail profile worn.prr: z was positive upwards; its sign is changed",
                                       f"rail profile worn.prr: {done}")):
-            assert re.match(f"wrcontact: {words}", line)
+            assert re.match(f"wrcontact: {start}", line)
 
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
