@@ -15,6 +15,7 @@ from .interface.inputs import (
     RAIL_ROLL_LIMIT,
     RAILS,
     ROLL_LIMIT,
+    USUAL_LOAD,
     YAW_LIMIT,
 )
 from .kernel import layout
@@ -117,6 +118,10 @@ SENTENCES = (
              "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "
              "<lateral_shift> [lateral_shift]: the contact leaves a profile, or a wheel is deeper in its "
              f"rail than {{{DEEPEST!r}}}", True),
+    Sentence(Status.OFF_PROFILE, "outside", "normal_force", USUAL_LOAD[1],
+             f"<normal_force> is [normal_force]; usual is at most [normal_force:{USUAL_LOAD[1]!r}]: it "
+             "presses a wheel beyond the end of a profile, or deeper into its rail than "
+             f"{{{DEEPEST!r}}}, at <lateral_shift> [lateral_shift] and <yaw> [yaw]", False),
     Sentence(Status.OFF_PROFILE, "always", "lateral_shift", math.nan,
              "<lateral_shift> is [lateral_shift] at <yaw> [yaw]: the smallest gap lies at the end of a "
              "profile, so there is no contact; or, in elastic contact, <normal_force> [normal_force] with "

@@ -29,6 +29,7 @@ from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
 from .profiles.catalogue import find_profile
+from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status
@@ -76,6 +77,7 @@ class ContactSystem:
         checked, methods = checked_parameters(given, groups)
         warn_of_parameters(checked)
         self._set_up(checked, methods, find_profiles(checked))
+        remark_wheels(self)
 
     def _set_up(self, parameters, methods, profiles):
         """Prepare for checked ``parameters`` and the ``profiles`` of :func:`find_profiles`."""
@@ -85,6 +87,7 @@ class ContactSystem:
         self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
         layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
+        self._told = set()              # names of inputs of which the user has been warned
         self._elastic = None            # the same wheelset in elastic contact, once it is needed
 
     @property
@@ -190,7 +193,7 @@ class ContactSystem:
             stepper.inputs[:] = values
         except (TypeError, ValueError):
             raise wrong_input(values, array=False) from None
-        warn_of_inputs(values)
+        warn_of_inputs(values, self._told)
         status = STATUSES[stepper.step()]
         found = stepper.outputs.copy()
         if status > Status.UNLOADED:
@@ -283,7 +286,7 @@ class ContactSystem:
             raise wrong_input(given, array=True) from None
         if columns[0].ndim != 1:
             raise wrong_input(given, array=True)
-        warn_of_inputs(columns)
+        warn_of_inputs(columns, self._told)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)

@@ -76,6 +76,7 @@ void wheelset_reset(wheelset *self)
             snprintf(self->core.text[model_variables[i].slot], MODEL_TEXT, "%s", model_variables[i].text);
     }
     self->core.stations = MODEL_STATIONS;
+    self->remarked = false;
     self->core.phase = PHASE_INSTANTIATED;
     self->core.stale = 1;
     self->core.stop = INFINITY;

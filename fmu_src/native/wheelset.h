@@ -68,6 +68,7 @@ typedef struct {
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
     wheelset_state *states;                 /* those that the host has not freed */
+    bool remarked;                          /* an unusual load has been told */
     char sentence[MODEL_SENTENCE];
 } wheelset;
 

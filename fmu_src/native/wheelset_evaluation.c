@@ -1,6 +1,8 @@
 /* What the kernel makes of a wheelset: one evaluation, its outcome in a sentence, and the equilibrium. */
 #include "wheelset_parts.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "sentences.h"
@@ -84,6 +86,21 @@ void wheelset_find_equilibrium(wheelset *self)
     core->balanced = 1;
 }
 
+/* Tell once of a load that is permitted but not usual, as after an error in its unit. */
+static void remark_load(wheelset *self)
+{
+    const double load = self->core.values[MODEL_LOAD];
+    char sentence[MODEL_SENTENCE];
+    if (self->remarked || !(load > 0.0) || !isfinite(load) || (MODEL_LOAD_LEAST <= load && load <= MODEL_LOAD_MOST)
+        || wheelset_is_compliant(self))
+        return;
+    snprintf(sentence, sizeof sentence, "%s is %s%s; usual is %s ... %s%s. It is used as it is.",
+             model_variables[MODEL_LOAD].name, SIX_DIGITS(load), model_variables[MODEL_LOAD].unit, SIX_DIGITS(MODEL_LOAD_LEAST),
+             SIX_DIGITS(MODEL_LOAD_MOST), model_variables[MODEL_LOAD].unit);
+    self->remarked = true;
+    self->tell(self->owner, sentence);
+}
+
 /* One step of the kernel, and its outcome. */
 void wheelset_evaluate(wheelset *self)
 {
@@ -92,6 +109,7 @@ void wheelset_evaluate(wheelset *self)
     const int status = wrcontact_step(&handle);
     core->status = status;
     core->stale = core->balanced = 0;
+    remark_load(self);
     if (!wheelset_is_compliant(self))
         wheelset_find_equilibrium(self);        /* which costs nothing */
     if (status)

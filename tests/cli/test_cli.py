@@ -37,7 +37,7 @@ def test_solve_prints_display_units(run):
     assert rows["contact_angle"][1:] == [f"{np.degrees(side.contact_angle):.4f}"
                                          for side in (state.left, state.right)]
     assert rows["normal_force"] == ["kN", "78.500", "78.500"]
-    assert f"roll {np.degrees(state.roll):.4f} deg" in out and "status 0 (valid)" in out
+    assert f"roll {np.degrees(state.roll):#.4g} deg" in out and "status 0 (valid)" in out
 
 
 def test_solve_prints_each_patch_where_there_are_several(run):
@@ -68,12 +68,17 @@ def test_solve_json_is_the_state_in_si(run):
         assert seen[side]["outline"]["half_length"] == wanted.outline.half_length.tolist()
 
 
+def in_kilo(value):
+    """A force [N] or power [W] as it is printed: three digits after the point, or four digits."""
+    return f"{value / 1e3:.3f}" if abs(value) > 1e3 or abs(value) < 1e-6 else f"{value / 1e3:#.4g}"
+
+
 def test_solve_prints_the_resultant(run):
     """On the flange, where it has a lateral force and a moment."""
     _, out, _ = run("solve", "--lateral-shift-mm", 6.5, "--yaw-deg", 1)
     state = ContactSystem().evaluate(lateral_shift=6.5e-3, yaw=np.radians(1))
     line = next(line for line in out.splitlines() if line.startswith("contact forces"))
-    force, moment = (f"({', '.join(f'{getattr(vector, axis) / 1e3:.3f}' for axis in 'xyz')})"
+    force, moment = (f"({', '.join(in_kilo(getattr(vector, axis)) for axis in 'xyz')})"
                      for vector in (state.force, state.moment))
     assert line == f"contact forces on the wheelset {force} kN, moment about its centre {moment} kN.m"
     _, out, _ = run("solve", "--lateral-shift-mm", 6.5, "--yaw-deg", 1, "--json")
@@ -141,7 +146,7 @@ def test_sentence_promises_no_kept_values():
 
 
 def test_every_input_and_parameter_has_an_option(run):
-    _, out, _ = run("solve", "--help")
+    _, out, _ = run("solve", "--help-all")
     for variable in POSE + SYSTEM:
         assert option_of(variable) in out
     assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn",
@@ -158,8 +163,8 @@ def test_every_input_and_parameter_has_an_option(run):
                "tangential-model", "flange-friction-ratio", "flange-friction-angle-deg", "friction-fall",
                "friction-fall-rate", "slope-reduction", "slope-reduction-floor", "slope-reduction-rate"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}
-    words = " ".join(out.replace("│", " ").split())
-    assert all(choice in words for name in CHOICES for choice in CHOICES[name])
+    assert all("|".join(CHOICES[name]) in out for name in CHOICES)
+    assert max(map(len, out.splitlines())) <= 80
 
 
 def test_rail_inclination_is_read_as_a_ratio_or_a_slope(run):
@@ -260,7 +265,7 @@ WRONG = {
     "transfer": ("solve --load-transfer 1.5", ["--load-transfer is 1.5"]),
     "friction": ("solve --right-friction 3 --tangential-model polach --speed 20",
                  ["--right-friction is 3", "<= 2"]),
-    "speed": ("solve --speed 1000", ["--speed is 1000; permitted is |--speed| <= 200"]),
+    "speed": ("solve --speed 1000", ["--speed is 1000 m/s; permitted is |--speed| <= 200 m/s"]),
     "step": ("sweep --step-mm 0", ["--step-mm", "0"]),
     "backwards": ("sweep --from-mm 3 --to-mm -3", ["--from-mm 3", "--to-mm -3"]),
     "far": ("sweep --from-mm -1e308 --to-mm 1e308", ["--from-mm -1e+308", "1000"]),
@@ -299,7 +304,19 @@ def test_a_force_in_wrong_units_is_remarked_once(run):
         code, out, err = run(*command.split(), "--normal-force-kn", "5000", "--nominal-radius-mm", "920")
         assert code == 0 and out and err.splitlines() == [
             "wrcontact: --nominal-radius-mm is 920 mm; usual is 125 ... 700 mm. It is used as it is.",
-            "wrcontact: --normal-force-kn is 5000 kN; usual is 0 ... 1000 kN. It is used as it is."]
+            "wrcontact: --normal-force-kn is 5000 kN; usual is 0.5 ... 1000 kN. It is used as it is."]
+    code, out, err = run("solve", "--normal-force-kn", 0.0785)
+    assert code == 0 and err == ("wrcontact: --normal-force-kn is 0.0785 kN; usual is 0.5 ... 1000 kN. It is "
+                                 "used as it is.\n")
+    assert run("solve", "--normal-force-kn", 0)[2] == ""      # a lifted wheel
+
+
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_a_load_that_is_too_large_is_named(run, mode):
+    """78 500 kN: the profile is not blamed."""
+    code, out, err = run("solve", "--normal-force-kn", 78500, "--contact-mode", mode)
+    assert code == 2 and out == "" and err.splitlines()[1].startswith(
+        "wrcontact: --normal-force-kn is 78500 kN; usual is at most 1000 kN: it presses a wheel")
 
 
 def test_a_bug_is_seen(monkeypatch):
@@ -366,15 +383,26 @@ def test_creep_forces_are_printed_with_a_model(run):
                                                               left_friction=0.2, right_friction=0.4)
     sides, rows = (state.left, state.right), printed(out)
     assert (code, err) == (0, "")
-    assert rows["patch[1].tangential.x"] == ["kN", *(f"{side.patches[0].tangential.x / 1e3:.3f}"
-                                                     for side in sides)]
+    assert rows["patch[1].tangential.x"] == ["kN", *(in_kilo(side.patches[0].tangential.x) for side in sides)]
     assert rows["patch[1].saturation"] == [f"{side.patches[0].saturation:.4f}" for side in sides]
     assert rows["friction_power"] == ["kW", *(f"{side.friction_power / 1e3:.4f}" for side in sides)]
-    assert rows["wear_number"] == ["kN", *(f"{side.wear_number / 1e3:.6f}" for side in sides)]
-    assert rows["normal.force.y"] == ["kN", *(f"{side.normal.force.y / 1e3:.3f}" for side in sides)]
-    assert f"driving torque {state.driving_torque / 1e3:.3f} kN.m" in out
-    # 0.1 N m is a spin moment that is to be seen
-    assert len(rows["patch[1].tangential.moment"][1].partition(".")[2]) == 6
+    assert rows["wear_number"] == ["kN", *(in_kilo(side.wear_number) for side in sides)]
+    assert rows["normal.force.y"] == ["kN", *(in_kilo(side.normal.force.y) for side in sides)]
+    assert f"driving torque {in_kilo(state.driving_torque)} kN.m" in out
+
+
+def test_small_numbers_keep_four_digits(run):
+    """Creepages of 1e-4, and the wear number of a wheelset that hardly slides."""
+    options = ("--lateral-shift-mm", 0.1, "--speed", 20, "--tangential-model", "strips")
+    rows, tiny = printed(run("solve", *options)[1]), ContactSystem(tangential_model="strips").evaluate(
+        0.1e-3, speed=20.0)
+    sides = (tiny.left, tiny.right)
+    assert rows["patch[1].creepage.x"] == [f"{side.patches[0].creepage.x:#.4g}" for side in sides]
+    assert rows["wear_number"] == ["kN", *(f"{side.wear_number / 1e3:#.4g}" for side in sides)]
+    assert abs(tiny.left.patches[0].creepage.x) < 1e-3 and abs(tiny.left.wear_number) < 10.0
+    table = run("sweep", "--from-mm", 0.1, "--to-mm", 0.1, *options[2:])[1].splitlines()
+    power = next(line.split()[-1] for line in table if line.split()[:1] == ["0.100"])
+    assert power == f"{tiny.right.friction_power / 1e3:#.3g}" and float(power) < 0.1
 
 
 def test_without_creep_forces_none_are_printed(run):

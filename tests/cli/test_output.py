@@ -182,13 +182,13 @@ def test_build_of_all_platforms(run, asked):
 
 def test_build_refuses_an_unknown_profile(run, tmp_path):
     code, out, err = run("build", "--wheel", "no such", "--output", tmp_path / "out")
-    assert code == 1 and out == "" and err.startswith("wrcontact: --wheel is 'no such'; permitted are S1002")
+    assert code == 2 and out == "" and err.startswith("wrcontact: --wheel is 'no such'; permitted are S1002")
     assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.full
 def test_build_fmu_is_the_command(tmp_path):
-    done = start(str(ROOT / "build_fmu.py"), "--help", folder=tmp_path)
+    done = start(str(ROOT / "build_fmu.py"), "--help-all", folder=tmp_path)
     assert done.returncode == 0 and "build_fmu.py build" in done.stdout
     for option in ("--output", "--native", "--platforms", "--wheel", "--rail", "--smoothing-um"):
         assert option in done.stdout

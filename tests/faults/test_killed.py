@@ -14,6 +14,7 @@ from tests.helpers.fmus import needs_compiler
 from wrcontact.cli.demo import apart
 from wrcontact.cli.door import Refused
 from wrcontact.fmu import native
+from wrcontact.storage.atomic import SILENT, write_atomically
 
 pytestmark = needs_linux
 
@@ -25,18 +26,24 @@ def wait_for_part(program, folder):
         time.sleep(0.002)
 
 
-@pytest.mark.parametrize("blow, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)],
-                         ids=["interrupted", "killed"])
+@pytest.mark.parametrize("blow, code", [
+    ("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129), ("SIGKILL", -9)])
 def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     target = tmp_path / "sweep.csv"
     target.write_text("before\n")
     program = cli("sweep", "--step-mm", "0.0002", "--csv", target)
     wait_for_part(program, tmp_path)
-    program.send_signal(blow)
+    program.send_signal(getattr(signal, blow))
     out, errors = program.communicate(timeout=60)
     assert (program.returncode, out, target.read_text()) == (code, "", "before\n")
-    if blow == signal.SIGINT:
-        assert errors == "wrcontact: interrupted; no file is half written\n" and parts_in(tmp_path) == []
+    words = {130: "interrupted", 143: "terminated", 129: "terminated"}.get(code)
+    assert errors.startswith(f"wrcontact: {target} will have about 0.68 GB, for 80001 rows; a .parquet file")
+    if words:
+        assert errors.splitlines()[1:] == [f"wrcontact: {words}; no file is half written"]
+    else:
+        time.sleep(SILENT + 0.5)
+        write_atomically(tmp_path / "next", b"whole")
+    assert parts_in(tmp_path) == []
 
 
 @pytest.mark.full

@@ -112,6 +112,20 @@ def test_statuses_and_empty_patches(outcomes):
     assert lifted["vertical_shift"] == -1e-3
 
 
+def test_an_unusual_load_is_told_once_and_with_the_sentence_of_the_package(run):
+    """78.5 for 78.5 kN, and 78.5e6; a load of zero lifts a wheel."""
+    valid = {name: START[name] for name in REAL_INPUT_NAMES}
+    cases = {"usual": {"normal_force": 78.5e3}, "kN": {"normal_force": 78.5}, "again": {"normal_force": 78.0}}
+    lines, answers = [], run("outcomes", cases=cases, valid=valid)
+    made = session(lines)
+    stepped(made, {**valid, **cases["kN"]})
+    assert len(lines) == 1 and "normal_force is 78.5 N; usual is 500 ... 1e+06 N" in lines[0]
+    assert [answers[name]["log"] for name in cases] == [[], [[WARNING, "logStatusWarning", lines[0]]], []]
+    pressed = run("outcomes", cases=cases, valid={**valid, "vertical_shift_input": 0.25e-3},
+                  start={"contact_mode": "compliant"})
+    assert all(answer["log"] == [] for answer in pressed.values())
+
+
 REFUSED = {
     **{name: start for name, (start, _) in WRONG_PARAMETERS.items()},
     "other kind": {"rail_profile": "S1002"}, "quote": {"load": "it's"}, "tolerance": {"tolerance": 2e-4},

@@ -157,7 +157,7 @@ def noisy_wheel(folder):
 
 
 def test_warnings_point_to_the_line_of_the_user():
-    """At every door, and never into the package."""
+    """At every door, and never into the package; a system warns once of an input."""
     compliant = ContactSystem(contact_mode="compliant", normal_model="hertz")
     high = {"vertical_shift_input": 1e-4, **HEAVY}
     with warnings.catch_warnings(record=True) as given:
@@ -165,13 +165,13 @@ def test_warnings_point_to_the_line_of_the_user():
         lines = [line() + 1]
         system = ContactSystem(nominal_radius=0.9)
         lines.append(line() + 1)
-        SYSTEM.evaluate(0.0, **HEAVY)
+        ContactSystem().evaluate(0.0, **HEAVY)
         lines.append(line() + 1)
-        SYSTEM.evaluate(0.0, outputs=["roll"], **HEAVY)
+        ContactSystem().evaluate(0.0, outputs=["roll"], **HEAVY)
         lines.append(line() + 1)
-        SYSTEM.evaluate_many([0.0], **HEAVY)
+        ContactSystem().evaluate_many([0.0], **HEAVY)
         lines.append(line() + 1)
-        parts = SYSTEM.evaluate_parts([0.0], **HEAVY)
+        parts = ContactSystem().evaluate_parts([0.0], **HEAVY)
         lines.append(line() + 1)
         state = compliant.evaluate(0.0, **high)
         lines.append(line() + 1)

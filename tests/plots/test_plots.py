@@ -283,3 +283,17 @@ def test_jumps_of_the_documentation(swept):
     np.testing.assert_allclose(np.array(rows)[:, 0], told[:, 0], atol=6e-4)  # [mm]
     # [mm] steep before the last jump
     np.testing.assert_allclose(np.array(rows)[:, 1:], told[:, 1:], atol=0.5)
+
+
+def test_creep_forces_are_drawn():
+    """The shear stress of each station, and their size in the title; without them neither."""
+    pose = dict(lateral_shift=3 * MM, yaw=4e-3, speed=20.0)
+    for model in ("none", "strips"):
+        state = ContactSystem(tangential_model=model).evaluate(**pose)
+        figure = outline_figure(state, side="right")
+        lower, title = panel(figure, "right pressure"), panel(figure, "right patch").get_title(loc="left")
+        assert len(lower.lines) == (1 if model == "none" else 2)
+        assert ("creep force" in title) == (model != "none")
+    np.testing.assert_array_equal(lower.lines[1].get_ydata(), state.right.outline.shear / 1e6)
+    patch, = state.right.patches
+    assert f"creep force {np.hypot(patch.tangential.x, patch.tangential.y) / 1e3:.1f} kN" in title

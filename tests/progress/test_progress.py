@@ -12,6 +12,7 @@ import pytest
 from tests.helpers.command_line import OUTSIDE
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem, Stepper, progress
+from wrcontact.progress.lines import Lines
 
 
 class Terminal(io.StringIO):
@@ -114,6 +115,35 @@ def test_a_stream_that_is_no_terminal_gets_nothing(monkeypatch):
         with progress.working("work"):
             time.sleep(0.1)
         assert stream is None or stream.getvalue() == ""
+
+
+def test_a_command_writes_lines_where_there_is_no_terminal(monkeypatch):
+    """Not before the interval, and not when it is switched off; no bars."""
+    for setting, interval in (("on", 0.05), ("on", 60.0), ("off", 0.05)):
+        monkeypatch.setattr(sys, "stderr", io.StringIO())
+        monkeypatch.setattr(progress, "INTERVAL", interval)
+        monkeypatch.setenv("WRCONTACT_PROGRESS", setting)
+        with progress.in_lines("wrcontact"), progress.working("sweep", 4) as advance:
+            advance(1)
+            with progress.working("compiling"):
+                if setting == "on" and interval < 1.0:
+                    wait_for(sys.stderr, "wrcontact: sweep 25%, compiling after 0 s, about 0 s left\n")
+                else:
+                    time.sleep(0.2)
+        seen = sys.stderr.getvalue()
+        assert bool(seen) == (setting == "on" and interval < 1.0)
+        assert all(line.startswith("wrcontact: sweep 25%") for line in seen.splitlines())
+        assert "\x1b" not in seen
+    assert progress._board is None and progress._prefix is None
+
+
+def test_a_line_has_the_time_left():
+    lines = Lines(60.0, "wrcontact")
+    lines.advance(lines.add("sweep", 10), 2, None)
+    assert lines.line(20.0) == "wrcontact: sweep 20% after 20 s, about 80 s left"
+    lines.advance(lines.add("part", None), 1, "another")
+    assert lines.line(20.0) == "wrcontact: sweep 20%, another after 20 s, about 80 s left"
+    lines.close()
 
 
 def test_evaluate_many_shows_how_far_it_is(opened, monkeypatch):

@@ -233,9 +233,26 @@ def test_one_line_per_step_whose_status_is_not_zero(running, lines):
     assert len(lines) == 1 and "normal_force" in lines[0] and "-5" in lines[0]
     running.step()
     assert len(lines) == 2
-    running.set_reals([FORCE], [5.0])
+    running.set_reals([FORCE], [5e4])
     running.step()
     assert running.status == 0 and len(lines) == 2
+
+
+@pytest.mark.parametrize("load, words", [(78.5, "normal_force is 78.5 N"), (78.5e6, "is 7.85e+07 N")])
+def test_an_unusual_load_is_told_once(running, lines, load, words):
+    """78.5 for 78.5 kN; not a load of zero, which lifts a wheel."""
+    running.set_reals([FORCE], [0.0])
+    running.step()
+    lines.clear()
+    for factor in (1.0, 1.1):
+        running.set_reals([FORCE], [load * factor])
+        running.step()
+    assert len(lines) == 1 and words in lines[0] and "usual is 500 ... 1e+06 N" in lines[0]
+    running.reset()
+    running.start()
+    running.set_reals([FORCE], [load])
+    running.step()
+    assert len(lines) == 2
 
 
 def test_invalid_input_keeps_the_last_outputs(running):

@@ -87,14 +87,31 @@ def test_no_results_of_another_pose(system, shift, status):
 
 
 @pytest.mark.parametrize("force", [78.5e6, np.array([1e3, math.nan, 78.5e6])], ids=["one", "many"])
-def test_a_force_in_wrong_units_is_remarked(system, force):
+def test_a_force_in_wrong_units_is_remarked(force):
     """78500 kN for 78.5 kN: a warning has the numbers. There is no result: the wheel would sink by 8 mm."""
+    system = wrcontact.ContactSystem()
     call = system.evaluate if np.ndim(force) == 0 else system.evaluate_many
-    with pytest.warns(UnusualValueWarning, match=r"normal_force is 7.85e\+07 N; usual is 0 ... 1e\+06 N"):
+    with pytest.warns(UnusualValueWarning, match=r"normal_force is 7.85e\+07 N; usual is 500 ... 1e\+06 N"):
         status = np.max(call(normal_force=force).status)
     assert status == (Status.OFF_PROFILE if np.ndim(force) == 0 else Status.INVALID_INPUT)
-    with pytest.warns(UnusualValueWarning):
-        assert system.evaluate(normal_force=2e6).status == 0
+    words = explain(Status.OFF_PROFILE, system.evaluate(normal_force=78.5e6).inputs)
+    assert words.startswith("normal_force is 7.85e+07 N; usual is at most 1e+06 N")     # not the profile
+
+
+@pytest.mark.parametrize("force", [78.5, np.array([0.0, 78.5])], ids=["one", "many"])
+def test_a_force_in_kn_is_remarked_once(force):
+    """78.5 N for 78.5 kN, once for a system; not a load of zero, nor a table that has usual ones."""
+    system = wrcontact.ContactSystem()
+    call = system.evaluate if np.ndim(force) == 0 else system.evaluate_many
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system.evaluate(normal_force=0.0)
+        system.evaluate_many(normal_force=[0.0, 78.5, 78.5e3])
+    with pytest.warns(UnusualValueWarning, match="normal_force is 78.5 N; usual is 500 ... 1e"):
+        call(normal_force=force)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        call(normal_force=1.1 * force)
 
 
 def test_unusual_parameters_are_remarked():

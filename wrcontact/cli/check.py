@@ -13,7 +13,9 @@ from ..conditioning.conformal import NEAR
 from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
 from ..interface.parameters import GEOMETRY, LEFT, SIDED
+from ..results.words import fixed
 from .report import console, plain
+from .typed import typed
 
 #: Lateral shifts of the printed table [mm].
 PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
@@ -74,17 +76,16 @@ def print_check(report):
             out.print(table)
     out.print("\nRemarks" + ("" if report.remarks else ": none"), soft_wrap=True)
     for remark in report.remarks:
-        out.print(f" * {remark}", soft_wrap=True)
+        out.print(f" * {typed(remark)}", soft_wrap=True)
 
 
 def _mm(value):
     return f"{value * 1e3:.6g}"
 
 
-def _shown(value, factor, digits):
-    """``value`` times ``factor`` as text; "-" for NaN and infinity."""
-    value = float(value) * factor
-    return f"{round(value, digits) + 0.0:.{digits}f}" if math.isfinite(value) else "-"
+def _shown(value, factor, digits, significant=1):
+    """``value`` times ``factor`` as text, see :func:`~wrcontact.results.words.fixed`."""
+    return fixed(float(value) * factor, digits, significant)
 
 
 def _range_words(report):
@@ -147,7 +148,7 @@ def conicity_table(conicity):
     columns = ((conicity.amplitude, 1e3, 0), (conicity.level, 1.0, 3), (conicity.rolled, 1.0, 3),
                (conicity.wavelength, 1.0, 1))
     for row in range(len(conicity.amplitude)):
-        table.add_row(*(_shown(values[row], factor, digits) for values, factor, digits in columns))
+        table.add_row(*(_shown(values[row], factor, digits, 3) for values, factor, digits in columns))
     return table
 
 

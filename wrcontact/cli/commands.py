@@ -12,25 +12,17 @@ from .. import ContactSystem, __version__
 from ..interface.friction import FRICTION
 from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
+from ..methods.words import did_you_mean
+from ..profiles.files import SMOOTHING
 from ..profiles.remarks import remarks_in_lines
-from ..progress import working
+from ..progress import in_lines, working
 from ..status import Status
 from ..storage.atomic import write_atomically
-from .door import Door, Refused, sentences
-from .options import (
-    GEOMETRY,
-    LOAD,
-    POSE,
-    SYSTEM,
-    Typed,
-    name_of,
-    number,
-    option_of,
-    reads_files,
-    remark_words,
-    takes,
-    typed,
-)
+from .door import Door, Refused, check_file, check_folder, sentences
+from .groups import FILES
+from .help import Command, with_all
+from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
+from .profile_files import reads_files
 from .report import (
     Remark,
     has_model,
@@ -43,17 +35,19 @@ from .report import (
     sweep_outputs,
 )
 from .tables import writes_tables
+from .typed import Typed, remark_lines, typed
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
-    rich_markup_mode="markdown",
     help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the "
          "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
-         "deg, forces in kN, pressures in MPa.")
+         "deg, forces in kN, pressures in MPa, velocities in m/s and "
+         "rad/s.")
 MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
 WIDEST = 1000.0  # lateral shift of a sweep [mm]
 RUBBING = {row.name for row in FRICTION}
 PICTURES = (".png", ".svg", ".pdf")
+CONTACT, FMUS, STUDY = "Contacts", "FMUs", "The study that wrcontact started from"
 
 
 def millimetres(option, words):
@@ -61,8 +55,16 @@ def millimetres(option, words):
     return typer.Option(option, help=words, parser=number, metavar="NUMBER")
 
 
+def micrometres(text):
+    """A smoothing in um; typer's BadParameter outside its range."""
+    value, limit = number(text), SMOOTHING.high * 1e6
+    if not SMOOTHING.low <= value <= limit:
+        raise typer.BadParameter(f"{text!r} is out of range; permitted is {SMOOTHING.low:g} ... {limit:g} um")
+    return value
+
+
 Smoothing = Annotated[float | None, typer.Option(
-    "--smoothing-um", parser=number, metavar="NUMBER",
+    "--smoothing-um", parser=micrometres, metavar="NUMBER", hidden=True, rich_help_panel=FILES,
     help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
          "goes through every point (default: the estimated noise of the points)")]
 
@@ -80,10 +82,11 @@ def welcome(context: typer.Context,
     # no docstring: typer would show it instead of the help above
     if context.invoked_subcommand is None:
         print(context.get_help())
-    context.with_resource(remarks_in_lines("wrcontact", remark_words))
+    context.with_resource(remarks_in_lines("wrcontact", remark_lines))
+    context.with_resource(in_lines("wrcontact"))
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=FMUS)
 def demo(output: Annotated[Path, typer.Option(
              metavar="DIR", help="Folder for the FMU, the table and the picture")]
          = Path("wrcontact-demo"),
@@ -101,7 +104,8 @@ def demo(output: Annotated[Path, typer.Option(
     raise typer.Exit(0 if run_demo(output, native) else 1)
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=FMUS)
+@with_all
 @reads_files
 def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of the FMU")] = Path("dist"),
           native: Annotated[bool, typer.Option(
@@ -130,13 +134,19 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
 
     if platforms and not native:
         raise Refused("--platforms is given; it is permitted only with --native")
-    with sentences(typed, code=1), working("building the FMU"):
+    for name in platforms.split(",") if platforms and platforms != "all" else ():
+        if name not in PLATFORMS:
+            raise Refused(f"--platforms has {name!r}; permitted are {', '.join(PLATFORMS)} and all"
+                          f"{did_you_mean(name, PLATFORMS)}")
+    check_folder(output)
+    with sentences(typed), working("building the FMU"):
         paths = built(native, platforms, output=output, wheel=(left_wheel, wheel), rail=(left_rail, rail),
                       smoothing=None if smoothing is None else smoothing / 1e6)
     print(*paths, sep="\n")
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=CONTACT)
+@with_all
 @reads_files
 @takes(pose=POSE, system=SYSTEM)
 def solve(pose, system,
@@ -161,7 +171,8 @@ def solve(pose, system,
         print_state(system, state)
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=CONTACT)
+@with_all
 @writes_tables
 @reads_files
 @takes(load=LOAD, system=SYSTEM)
@@ -179,6 +190,8 @@ def sweep(load, system,
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv
     """
     shifts = _shifts(start, stop, step, MOST_ROWS if file else MOST_PRINTED)
+    if file:
+        check_file(file.path)
     system = _system(system, smoothing)
     _refuse_what_is_not_read(system, load)
     remark = Remark(system)
@@ -200,6 +213,8 @@ def sweep(load, system,
 
 def _write_sweep(file, system, shifts, load, remark):
     """Write the sweep part by part; no file if no row has a contact."""
+    if file.size_words(len(shifts)):
+        print(f"wrcontact: {file.size_words(len(shifts))}", file=sys.stderr)
     with sentences(), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
         for part in system.evaluate_parts(lateral_shift=shifts, processes=os.cpu_count() or 1, **load):
             write(part)
@@ -209,7 +224,8 @@ def _write_sweep(file, system, shifts, load, remark):
             raise Refused(remark.words())
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=CONTACT)
+@with_all
 @reads_files
 @takes(pose=POSE, system=SYSTEM)
 def plot(pose, system,
@@ -222,6 +238,7 @@ def plot(pose, system,
     from ..plots import pose_figure, save
 
     _refuse_no_picture(output)
+    check_file(output)
     system = _system(system, smoothing)
     _refuse_what_is_not_read(system, pose)
     state = system.evaluate(**pose)
@@ -232,7 +249,8 @@ def plot(pose, system,
     print(f"picture written to {output}")
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=CONTACT)
+@with_all
 @reads_files
 @takes(geometry=GEOMETRY)
 def check(geometry,
@@ -256,6 +274,8 @@ def check(geometry,
     from .check import check_text, print_check
 
     _refuse_no_picture(output)
+    for target in (output, *([file] if file else [])):
+        check_file(target)
     system = _system(geometry, smoothing)
     with working("checking the pair", 2) as advance:
         report = conditioning.check(system)
@@ -274,7 +294,7 @@ def check(geometry,
         raise typer.Exit(1)
 
 
-@main.command()
+@main.command(cls=Command, rich_help_panel=STUDY)
 def figures(more: Annotated[list[str] | None,
                             typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
             output: Annotated[Path, typer.Option(metavar="DIR",
@@ -293,6 +313,7 @@ def figures(more: Annotated[list[str] | None,
     from ..study.figures import INDEX, summary, write_figures
     from .report import console
 
+    check_folder(output)
     with sentences():
         found = write_figures(output, (only or []) + (more or []))
         console().print(summary(found))

@@ -16,7 +16,7 @@ from ..interface.rows import single_numbers
 from ..kernel import layout
 from ..results.words import shown, unit_name
 from ..status import Status, explain
-from .options import SWEEP, Typed
+from .typed import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
 #: What only creep forces give, and the parts of a force without them.
@@ -28,8 +28,6 @@ SIDE_CREEP_ROWS = [row for row in SIDE_NUMBERS if row[0].startswith(OF_CREEP)]
 PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith(("creepage.", *OF_CREEP))]
 CREEPAGE_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith("creepage.")]
 CREEP_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith(OF_CREEP)]
-#: Digits of small numbers after the point: N and N.m are shown in kN and kN.m.
-DIGITS = {"wear_number": 6, "tangential.moment": 6}
 #: Columns for each wheel in a printed sweep: heading, name, unit, digits after the point; the others with
 #: creep forces: which share of the friction is used, and its power.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("area", "area", "m2", 1),
@@ -113,7 +111,7 @@ def state_table(state, rubbing=False):
     table.add_row("patch_count", "", *(str(side.patch_count) for side in sides))
     for name, unit in SIDE_ROWS + SIDE_CREEP_ROWS * rubbing:
         table.add_row(name, unit_name(unit),
-                      *(shown(attrgetter(name)(side), unit, DIGITS.get(name)) for side in sides))
+                      *(shown(attrgetter(name)(side), unit) for side in sides))
     most = max(side.patch_count for side in sides)
     rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state.inputs) + CREEP_ROWS * rubbing
     for k in range(most if rows else 0):
@@ -132,7 +130,7 @@ def is_rolling(inputs):
 def _of_patch(side, k, name, unit):
     if k >= len(side.patches):
         return ""
-    return shown(attrgetter(name)(side.patches[k]), unit, DIGITS.get(name))
+    return shown(attrgetter(name)(side.patches[k]), unit)
 
 
 def state_text(system, state):
@@ -180,7 +178,7 @@ def print_sweep(table, step, columns=SWEEP_COLUMNS):
     for heading, _, unit, _ in quantities:
         printed.add_column(f"{heading}\n{unit_name(unit)}", justify="right", vertical="bottom", no_wrap=True)
     for row in range(len(table)):
-        printed.add_row(*(shown(values[row], unit, digits) for _, values, unit, digits in quantities))
+        printed.add_row(*(shown(values[row], unit, digits, 3) for _, values, unit, digits in quantities))
     console().print(printed)
 
 

@@ -141,11 +141,25 @@ def _declare(data, found, count):
 WRITERS = {"csv": _csv, "json": _json, "parquet": _parquet, "netcdf": _netcdf}
 
 
+#: About what a row takes in each format [bytes], with creep forces; and the size that is told before [bytes].
+ROW_SIZES = {"csv": 8.5e3, "json": 22e3, "parquet": 3.7e3, "netcdf": 4.6e3}
+LARGE = 500e6
+
+
 class TableFile:
     """A file ``path`` for a table in one ``format``, a key of WRITERS."""
 
     def __init__(self, path, format):
         self.path, self.format = path, format
+
+    def size_words(self, count):
+        """A sentence on the size of a table of ``count`` rows, if that is large; else ""."""
+        sizes = {format: count * size for format, size in ROW_SIZES.items()}
+        if sizes[self.format] <= LARGE:
+            return ""
+        smallest = min(sizes.values())
+        other = f"; a .parquet file has about {smallest / 1e9:.2g} GB" if self.format != "parquet" else ""
+        return f"{self.path} will have about {sizes[self.format] / 1e9:.2g} GB, for {count} rows{other}"
 
     def open(self, count):
         """A context in which a table of ``count`` rows is written; yields a function for its next part."""
@@ -174,8 +188,8 @@ def writes_tables(command):
         return command(**given, file=next((_file(name, path) for name, path in chosen.items()), None))
 
     options = [Parameter(name, Parameter.KEYWORD_ONLY, default=None,
-                         annotation=Annotated[Path | None, typer.Option(f"--{name}", metavar="FILE",
-                                                                        help=words)])
+                         annotation=Annotated[Path | None, typer.Option(
+                             f"--{name}", metavar="FILE", hidden=name != "output", help=words)])
                for name, words in WORDS.items()]
     own = [p for p in signature(command).parameters.values() if p.name != "file"]
     with_options.__signature__ = signature(command).replace(parameters=own + options)

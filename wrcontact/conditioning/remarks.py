@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from ..profiles.plausible import remarks_on
+from ..profiles.remarks import Grave
 from .curves import merged_jumps
 
 # [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
@@ -22,14 +24,15 @@ ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder 
 def sentences(found):
     """The remarks (a tuple of sentences) on the results of ``check``, a Conditioning."""
     equal = found.system.equal_sides
-    on_profiles = *_on_profile(found.wheel), *_on_profile(found.rail)
+    profiles = [(found.wheel, ""), (found.rail, "")]
     if not equal:
-        on_profiles = (*on_profiles, *_on_profile(found.left_wheel, "left "),
-                       *_on_profile(found.left_rail, "left "))
+        profiles += [(found.left_wheel, "left "), (found.left_rail, "left ")]
+    grave = [remark for profile in profiles for remark in _grave(*profile, found.system)]
+    on_profiles = [remark for profile in profiles for remark in _on_profile(*profile)]
     if not math.isfinite(found.usable_shifts[0]):
         return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
-                *on_profiles)
-    return (*_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
+                *grave, *on_profiles)
+    return (*grave, *_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
             *_on_jumps(found.jumps, found.nearest_jump, equal), *_on_moves(found.curves, equal),
             *_on_zones(found.conformal, equal), *_on_conicity(found.conicity), *on_profiles)
 
@@ -109,10 +112,24 @@ def _on_conicity(conicity):
         yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
 
 
-def _on_profile(profile, side=""):
-    name = f"{side}{profile.kind} profile {profile.name}"
+def _named_profile(profile, side):
+    return f"{side}{profile.kind} profile {profile.name}"
+
+
+def _grave(profile, side, system):
+    """What is said of a profile that may be another one than it is taken for."""
+    used = getattr(system, f"{side.strip()}_{profile.kind}".strip("_"))
+    standing = remarks_on(used, system.parameters) if profile.kind == "wheel" else ()
+    read = profile.reading.remarks if profile.reading else ()
+    for remark in (*standing, *(one for one in read if isinstance(one, Grave))):
+        yield f"{_named_profile(profile, side)}: {remark}"
+
+
+def _on_profile(profile, side):
+    name = _named_profile(profile, side)
     for remark in profile.reading.remarks if profile.reading else ():
-        yield f"{name}: {remark}"
+        if not isinstance(remark, Grave):
+            yield f"{name}: {remark}"
     if profile.kinks:
         y, turn = max(profile.kinks, key=lambda kink: abs(kink[1]))
         more = f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else ""

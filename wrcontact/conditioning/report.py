@@ -1,6 +1,7 @@
 """The check of a pair of profiles: a wheelset is moved across the track, and its contacts are examined."""
 
 import math
+import warnings
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -125,8 +126,10 @@ def _wheelset(system, contact_mode):
     """The same wheelset and track with Hertz contact and this contact mode; a compliant one is evaluated at
     zero roll."""
     chosen = {name: system.parameters[name] for name in (*GEOMETRY, *(LEFT + name for name in SIDED[2:]))}
-    return ContactSystem((system.left_wheel, system.wheel), (system.left_rail, system.rail), **chosen,
-                         contact_mode=contact_mode, normal_model="hertz")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")             # the user has been told
+        return ContactSystem((system.left_wheel, system.wheel), (system.left_rail, system.rail), **chosen,
+                             contact_mode=contact_mode, normal_model="hertz")
 
 
 def _shifts(step):

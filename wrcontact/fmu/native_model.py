@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from ..interface.inputs import INPUT_NAMES, INPUTS
+from ..interface.inputs import INPUT_NAMES, INPUTS, USUAL_LOAD
 from ..interface.parameters import checked_parameters
 from ..interface.variables import (
     BOOLEAN,
@@ -54,6 +54,7 @@ def sizes_header(blocks):
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "LADDERS": len(ladders()), "BLOCKS": len(blocks) - 1, "SENTENCES": len(SENTENCES),
         "KEPT": int(Status.OFF_PROFILE),
+        "LOAD": INPUT_NAMES.index("normal_force"), "LOAD_LEAST": USUAL_LOAD[0], "LOAD_MOST": USUAL_LOAD[1],
         "FIXED_SIZE": len(fixed_tables()),
         "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.Work.outputs.offset // 8, "WORK": layout.WORK_SIZE,

@@ -78,14 +78,15 @@ def _behind(row):
     return "" if row.unit == "1" else f", in {row.unit}"
 
 
-def warn_of_inputs(values):
+def warn_of_inputs(values, told):
     """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
-    whose largest number is above its usual range."""
+    whose largest number is above 0 and outside its usual range; once for each name in the set ``told``."""
     for place, row in USUAL:
         value = values[place]
         if isinstance(value, np.ndarray) and value.ndim:
-            value = np.max(value, initial=row.usual[0], where=np.isfinite(value))
-        warn_unusual(row.name, max(value, row.usual[0]), row.unit, row.usual)
+            value = np.max(value, initial=0.0, where=np.isfinite(value))
+        if value > 0.0 and row.name not in told and warn_unusual(row.name, value, row.unit, row.usual):
+            told.add(row.name)
 
 
 def wrong_input(values, array):

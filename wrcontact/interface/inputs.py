@@ -56,6 +56,10 @@ MOTION = (
               RATE_LIMIT, limited=True))),
 )
 
+#: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
+#: that is taken for N lies below, and one in N that is taken for kN above.
+USUAL_LOAD = (500.0, 1e6)
+
 INPUTS = (
     Input("lateral_shift", "m", 1e-3,
           "Lateral shift of the wheelset against the track centre, positive to the right", -LATERAL_LIMIT,
@@ -66,7 +70,7 @@ INPUTS = (
           "step, never its answer", -0.5, 0.5, hint=True),
     Input("normal_force", "N", 1e5, "Load per wheel before load transfer: normal force, total over its "
           "patches, or its vertical component (parameter load); in compliant mode used only for the "
-          "equilibrium outputs", 0.0, 1e7, start=78500.0, positional=True, usual=(0.0, 1e6)),
+          "equilibrium outputs", 0.0, 1e7, start=78500.0, positional=True, usual=USUAL_LOAD),
     Input("load_transfer", "1", 0.1, "Share L of the load N moved from left to right: N (1 + L) on the right "
           "wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs",
           -1.0, 1.0, positional=True),

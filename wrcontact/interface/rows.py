@@ -47,9 +47,9 @@ class Input(Row):
 
     ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
     :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.  Outside ``usual`` =
-    (low, high) a value is rather a typing error.  Beyond the ``maximum`` of a ``limited`` one, to either
-    side, a step is refused.  A ``switch`` is a Boolean in an FMU; the kernel reads it as 1 or 0.  ``place``
-    says whose value it is ("Left rail").
+    (low, high) a value other than 0 is rather a typing error.  Beyond the ``maximum`` of a ``limited`` one,
+    to either side, a step is refused.  A ``switch`` is a Boolean in an FMU; the kernel reads it as 1 or 0.
+    ``place`` says whose value it is ("Left rail").
     """
 
     start: float = 0.0

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, fields
 from numbers import Real
 
 from .caller import warn_caller
+from .words import did_you_mean
 
 
 class UnusualValueWarning(UserWarning):
@@ -37,11 +38,15 @@ class UnusualValueWarning(UserWarning):
 
 def warn_unusual(name, value, unit, usual):
     """Give an :class:`UnusualValueWarning` where the finite ``value`` lies outside ``usual``, which may be
-    None."""
-    if usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]:
+    None; whether it does."""
+    unusual = usual is not None and math.isfinite(value) and not usual[0] <= value <= usual[1]
+    if unusual:
         warn_caller(UnusualValueWarning(name, value, unit, usual))
+    return unusual
 
 
+#: What is permitted for a ``ratio`` too, where a text can be said.
+ALSO_RATIO = ", or a ratio such as '1:40'"
 #: Every record of numbers is a dataclass of this kind.
 frozen = dataclass(frozen=True, kw_only=True, repr=False)
 
@@ -102,7 +107,7 @@ class Number:
     def _permitted(self, context):
         if self.whole:
             return f"are whole numbers {self.low} ... {self.high}"
-        also = ", or a ratio such as '1:40'" if self.ratio else ""
+        also = ALSO_RATIO if self.ratio else ""
         return f"{context}is {self.low:g} ... {self.high:g}{unit_behind(self.unit)}{also}"
 
 
@@ -144,9 +149,8 @@ class Checked:
 def check_choice(name, value, choices):
     """ValueError, in a sentence that lists them, unless ``value`` is one of ``choices``."""
     if value not in tuple(choices):  # a value need not have a hash
-        permitted = ", ".join(repr(choice) for choice in choices)
-        raise ValueError(f"{name} is {value!r}; permitted are {permitted}" if len(choices) > 1 else
-                         f"{name} is {value!r}; permitted is {permitted}")
+        permitted, verb = ", ".join(repr(choice) for choice in choices), "are" if len(choices) > 1 else "is"
+        raise ValueError(f"{name} is {value!r}; permitted {verb} {permitted}{did_you_mean(value, choices)}")
 
 
 def unit_behind(unit):

@@ -5,6 +5,9 @@ ALIKE = 0.6
 #: Known words that are proposed at most.
 MOST = 3
 
+#: How a proposal begins.
+PROPOSAL = "; did you mean "
+
 
 def did_you_mean(word, known):
     """A proposal behind a sentence on an unknown ``word``: "; did you mean left_friction or right_friction?".
@@ -24,4 +27,4 @@ def did_you_mean(word, known):
     by_letters = {name.lower(): name for name in known}
     found = [letters for letters in by_letters if word.lower() in letters and len(word) > 2][:MOST]
     found = found or get_close_matches(word.lower(), by_letters, 1, ALIKE)
-    return f"; did you mean {' or '.join(by_letters[letters] for letters in found)}?" if found else ""
+    return f"{PROPOSAL}{' or '.join(by_letters[letters] for letters in found)}?" if found else ""

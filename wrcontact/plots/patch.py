@@ -11,7 +11,18 @@ from ..conventions import SIDES
 from ..methods.numbers import check_choice
 from ..state import WheelsetState
 from .geometry import stations_along
-from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, given_axes, new_figure, styled
+from .style import (
+    INK,
+    KILONEWTON,
+    MEGAPASCAL,
+    MM,
+    PRESSURE_COLOURS,
+    QUIET,
+    SIDE_COLOUR,
+    given_axes,
+    new_figure,
+    styled,
+)
 
 FINER = 12  # drawn points per stored station
 LAYERS = 61  # drawn points from the front edge of the patch to the rear edge
@@ -213,8 +224,12 @@ def _missing(side):
 
 
 def _draw_below(upper, lower, outline, colour, scale):
-    """The pressure of one wheel below its patch."""
-    draw_pressure(lower, outline, colour)
+    """The pressure of one wheel below its patch, with the shear stress of creep forces."""
+    line = draw_pressure(lower, outline, colour)
+    if np.nanmax(outline.shear) > 0.0:
+        shear, = lower.plot(outline.station / MM, outline.shear / MEGAPASCAL, color=INK, linewidth=1.2,
+                            linestyle=(0, (4, 2)))
+        lower.legend([line, shear], ["pressure", "shear stress, mean along the patch"], loc="best")
     lower.set(xlim=upper.get_xlim(), ylim=(0, 1.05 * scale.vmax), ylabel="pressure [MPa]",
               xlabel="lateral in the contact plane, field side + [mm]")
 
@@ -226,7 +241,14 @@ def _headline(name, side):
         return f"{name.capitalize()} wheel: {reason},\nno patch"
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")
     return (f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
-            f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa")
+            f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa{_creep(side)}")
+
+
+def _creep(side):
+    """What the title says of creep forces; "" without them."""
+    x, y = (sum(getattr(patch.tangential, axis) for patch in side.patches) for axis in "xy")
+    size = np.hypot(x, y)
+    return f", creep force {size / KILONEWTON:.1f} kN" if size > 0.0 else ""
 
 
 def _leave_empty(reason, *panels):

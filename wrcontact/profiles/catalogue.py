@@ -12,6 +12,7 @@ import math
 import os
 from functools import cache
 
+from ..methods.words import did_you_mean
 from .files import of_kind, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
@@ -113,15 +114,24 @@ def find_profile(source, kind, smoothing=None, argument=None):
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return Profile.from_file(source, kind, smoothing)
-    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile")
+    missing = ", and there is no such file" if _looks_like_a_path(source) else ""
+    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile", missing)
 
 
-def named_profile(source, kind, argument, others):
+def named_profile(source, kind, argument, others, missing=""):
     """The standard profile called ``source``, in any case; otherwise a ValueError, which names the
-    ``argument`` and what is permitted: the names, and ``others``, words that continue their list."""
+    ``argument``, what is ``missing`` and what is permitted: the names, and ``others``, words that continue
+    their list."""
     standard = standard_name(source) if isinstance(source, str) else None
     if standard in NAMES[kind]:
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
-    raise ValueError(f"{argument} is {str(source)!r}{other}; permitted are "
-                     f"{', '.join(NAMES[kind])}{others}")
+    meant = "" if missing or other else did_you_mean(source, NAMES[kind])
+    raise ValueError(f"{argument} is {str(source)!r}{other}{missing}; permitted are "
+                     f"{', '.join(NAMES[kind])}{others}{meant}")
+
+
+def _looks_like_a_path(source):
+    """Whether a name that is no profile's is rather that of a file: it has an ending or a folder."""
+    return isinstance(source, (ProfileFile, os.PathLike)) or isinstance(source, str) and (
+        bool(os.path.splitext(source)[1]) or os.path.basename(source) != source)

@@ -18,7 +18,7 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
 from .readers import read_points
-from .remarks import Reading, Refusal, remark
+from .remarks import Reading, Refusal, by_weight, remark
 from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
@@ -118,7 +118,7 @@ def _reading(found, tolerance, remarks):
     """The :class:`Reading` of ``found`` points that were smoothed to ``tolerance`` [mm]."""
     chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
     return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM,
-                   tolerance * MM, tuple(remarks))
+                   tolerance * MM, tuple(by_weight(remarks)))
 
 
 def _zones_along(found, name, kind, tolerance, asked, remarks):

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .flaws import LONGEST_RUN
+from .remarks import Grave
 
 #: Depths below the highest point at which the middle of the head is taken [mm]; the last three quarters of
 #: LEAST_DEPTH must exist.
@@ -148,8 +149,8 @@ def faced(found, file, free, remarks):
         remarks.append(f"the gauge side was at the larger y ({reason}); mirrored")
         return replace(found, y=-found.y).only(slice(None, None, -1))
     if side > 0:
-        remarks.append(f"the gauge side seems to be at the larger y ({reason}); mirror_y = True mirrors "
-                       "the rail, mirror_y = False confirms the smaller y")
+        remarks.append(Grave(f"the gauge side seems to be at the larger y ({reason}); mirror_y = True "
+                             "mirrors the rail, mirror_y = False confirms the smaller y"))
     elif side == 0 and not head.symmetric:
         remarks.append("the gauge side cannot be found from the shape; the smaller y is used; mirror_y = True"
                        " mirrors the rail, mirror_y = False confirms it")
@@ -191,7 +192,8 @@ def turned_upright(found, file, remarks):
         _remark_inclination(head, remarks)
         return found
     if head.symmetric and abs(head.inclination - given) >= INCLINED:
-        remarks.append(f"its head is {_stands(head.inclination)}, although file_inclination is {given:.4g}")
+        remarks.append(Grave(f"its head is {_stands(head.inclination)}, although file_inclination is "
+                             f"{given:.4g}"))
     angle = math.atan(given)
     c, s = math.cos(angle), math.sin(angle)
     return replace(found, y=c * found.y - s * found.z, z=s * found.y + c * found.z)
@@ -202,8 +204,9 @@ def _remark_inclination(head, remarks):
     if head.symmetric and abs(head.inclination) >= INCLINED:
         turns = ("" if head.inclination < 0.0 else
                  f"file_inclination = {head.inclination:.4g} turns it upright, ")
-        remarks.append(f"its head is {_stands(head.inclination)} in the file, and a rail_inclination that "
-                       f"is not 0 inclines it again; {turns}file_inclination = 0 confirms that it is upright")
+        remarks.append(Grave(f"its head is {_stands(head.inclination)} in the file, and a rail_inclination "
+                             f"that is not 0 inclines it again; {turns}file_inclination = 0 confirms that it "
+                             "is upright"))
     elif not head.symmetric:
         remarks.append("its head is not symmetric, so its shape does not tell whether it is already "
                        "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "

@@ -27,8 +27,25 @@ class Reading:
 
 
 class ProfileWarning(UserWarning):
-    """A profile file was repaired before it was used; the message says what was done, where and by how
-    much."""
+    """A profile file was repaired before it was used, or looks wrong; the message says what was done or
+    found, where and by how much.
+
+    Attributes
+    ----------
+    kind, name : of the profile: "wheel" or "rail", and its file.
+    remarks : tuple of sentences.
+    """
+
+    def __init__(self, kind, name, remarks):
+        super().__init__(kind, name, remarks)
+        self.kind, self.name, self.remarks = kind, name, tuple(remarks)
+
+    def __str__(self):
+        return f"{self.kind} profile {self.name}: {'; '.join(self.remarks)}"
+
+
+class Grave(str):
+    """A remark on what makes all results wrong, if it is so; it stands before the others."""
 
 
 class Refusal(ValueError):
@@ -38,13 +55,25 @@ class Refusal(ValueError):
 def remark(kind, name, remarks):
     """Give one :class:`ProfileWarning` with all ``remarks`` on a profile, if there are any."""
     if remarks:
-        warn_caller(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning)
+        warn_caller(ProfileWarning(kind, name, by_weight(remarks)))
+
+
+def by_weight(remarks):
+    """The ``remarks``, those that are :class:`Grave` first."""
+    return sorted(remarks, key=lambda one: not isinstance(one, Grave))
+
+
+def sentences_of(warning):
+    """The sentences of a warning: of a :class:`ProfileWarning` each remark, with the name of the file."""
+    if not isinstance(warning, ProfileWarning):
+        return [str(warning)]
+    return [f"{warning.kind} profile {warning.name}: {one}" for one in warning.remarks]
 
 
 @contextmanager
-def remarks_in_lines(prefix, words=str):
-    """Inside this context, each different ProfileWarning or UnusualValueWarning is printed once, as one line
-    "prefix: message" on the error stream; ``words(warning)`` is the message."""
+def remarks_in_lines(prefix, lines=sentences_of):
+    """Inside this context, each ProfileWarning or UnusualValueWarning is printed on the error stream, as
+    lines "prefix: sentence"; ``lines(warning)`` are the sentences, of which each is printed once."""
     categories = (ProfileWarning, UnusualValueWarning)
     with warnings.catch_warnings():
         show, said = warnings.showwarning, set()
@@ -52,9 +81,11 @@ def remarks_in_lines(prefix, words=str):
         def say(message, category, *where, **more):
             if not issubclass(category, categories):
                 show(message, category, *where, **more)
-            elif words(message) not in said:
-                said.add(words(message))
-                print(f"{prefix}: {' '.join(words(message).split())}", file=sys.stderr)
+                return
+            for line in lines(message):
+                if line not in said:
+                    said.add(line)
+                    print(f"{prefix}: {' '.join(line.split())}", file=sys.stderr)
 
         for category in categories:
             warnings.simplefilter("always", category)

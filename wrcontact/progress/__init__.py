@@ -1,7 +1,8 @@
 """A sign of life on the error stream: what is being done, how far it is, and the time left.
 
-It appears after two seconds, if the error stream is a terminal, and disappears when the work is done; nothing
-is written otherwise.  ``WRCONTACT_PROGRESS=off`` in the environment switches it off.
+It appears after two seconds, if the error stream is a terminal, and disappears when the work is done.
+Elsewhere the command line writes a line every ten seconds (:func:`in_lines`), and Python nothing.
+``WRCONTACT_PROGRESS=off`` in the environment switches both off.
 
 >>> with working("poses", 100) as advance:
 ...     for _ in range(100):
@@ -13,11 +14,23 @@ import os
 import sys
 import threading
 
-#: Time after which the sign appears [s].
-DELAY = 2.0
+#: Time after which the sign appears, and between lines [s].
+DELAY, INTERVAL = 2.0, 10.0
 
 _lock = threading.RLock()
 _board = None  # the only one: a terminal has room for one display
+_prefix = None  # of lines, where there is no terminal
+
+
+@contextlib.contextmanager
+def in_lines(prefix):
+    """Inside this context, an error stream that is no terminal gets a line "prefix: ..." every INTERVAL."""
+    global _prefix
+    before, _prefix = _prefix, prefix
+    try:
+        yield
+    finally:
+        _prefix = before
 
 
 @contextlib.contextmanager
@@ -48,10 +61,15 @@ def tracked(items, words, total=None, alone=False):
 
 
 def _is_wanted():
-    """Whether somebody can see it: the error stream is a terminal that can move its cursor."""
-    if os.environ.get("WRCONTACT_PROGRESS") == "off" or os.environ.get("TERM") == "dumb":
+    """Whether somebody can see it: in lines, or on a terminal that can move its cursor."""
+    if os.environ.get("WRCONTACT_PROGRESS") == "off" or sys.stderr is None:
         return False
-    return is_terminal(sys.stderr)
+    return _moves_cursor() or _prefix is not None
+
+
+def _moves_cursor():
+    """Whether the error stream is a terminal that can move its cursor."""
+    return is_terminal(sys.stderr) and os.environ.get("TERM") != "dumb"
 
 
 def is_terminal(stream):
@@ -69,10 +87,14 @@ def _ignore(steps=1, words=None):
 def _enter(words, total):
     global _board
     with _lock:
-        if _board is None:
+        if _board is None and _moves_cursor():
             from .board import Board  # rich is not needed before
 
             _board = Board(DELAY, is_terminal(sys.stdout))
+        elif _board is None:
+            from .lines import Lines
+
+            _board = Lines(INTERVAL, _prefix)
         return _board, _board.add(words, total)
 
 

@@ -21,7 +21,7 @@ def page(state):
 
 def _one(state):
     sides = ("left", "right")
-    rows = [("patch_count", "", *(shown(state[f"{side}.patch_count"], "1", 0) for side in sides))]
+    rows = [("patch_count", "", *(shown(state[f"{side}.patch_count"], "1", 0, 1) for side in sides))]
     rows += [(name, unit_name(unit), *(shown(state[f"{side}.{name}"], unit) for side in sides))
              for name, unit in SIDE_ROWS]
     title = (f"status {int(state.status)}, roll {shown(state.roll, 'rad')} deg, vertical shift "

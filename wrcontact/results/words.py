@@ -14,11 +14,31 @@ DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
 HTML_ROWS = 10
 
 
-def shown(value, unit, digits=None):
-    """A value in SI as text in the display unit; "-" for NaN."""
-    value = float(value) * UNITS[unit].display_factor
+#: Significant digits of small values, and the size below which they are rounding, in display units.
+SIGNIFICANT, NOTHING = 4, 1e-9
+
+
+def shown(value, unit, digits=None, significant=SIGNIFICANT):
+    """A value in SI as text in the display unit; "-" for NaN.
+
+    It has ``digits`` after the point, or as many as the unit has in DIGITS, and where these are fewer than
+    ``significant`` digits, so many.
+
+    >>> shown(-9.3567e-3, "m"), shown(1.6e-5, "1"), shown(0.0162, "N"), shown(1e-18, "m")
+    ('-9.3567', '1.600e-05', '1.620e-05', '0.0000')
+    """
     digits = DIGITS.get(UNITS[unit].display, 4) if digits is None else digits
-    return "-" if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
+    return fixed(float(value) * UNITS[unit].display_factor, digits, significant)
+
+
+def fixed(value, digits, significant=1):
+    """A number with ``digits`` after the point, or ``significant`` digits where it is smaller; "-" for NaN
+    and infinity."""
+    if not math.isfinite(value):
+        return "-"
+    if NOTHING < abs(value) < 10.0 ** (significant - 1 - digits):
+        return f"{value:#.{significant}g}"
+    return f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def unit_name(unit):

@@ -13,12 +13,14 @@ Set values, initialise, step, read. Values are addressed by value reference, as 
 
 import hashlib
 import json
+import math
 import os
 from pathlib import Path
 
 import numpy as np
 
 from .. import status as outcomes
+from ..interface.inputs import USUAL_LOAD
 from ..interface.parameters import LEFT, SIDED
 from ..interface.variables import (
     BOOLEAN,
@@ -35,12 +37,13 @@ from ..interface.variables import (
     VARIABLES,
 )
 from ..kernel import layout
-from ..methods.numbers import check_choice
+from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
+from ..methods.words import PROPOSAL
 from ..profiles.catalogue import named_profile
 from ..system import ContactSystem
 from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
 
-INPUTS = layout.INPUT_COUNT
+INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
 #: Keywords of profiles; an FMU's parameters have "_profile" behind them.
 PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
@@ -88,6 +91,7 @@ class Session:
         self._balanced = False  # the equilibrium is that of the inputs
         self._balance = None  # a stepper that finds it
         self._told = False  # this step's status has been reported
+        self._remarked = False  # an unusual load has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
         self._inputs = self._input_places = None  # the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
@@ -173,8 +177,8 @@ class Session:
                 if PARAMETERS[name].choices:      # Python has more of them than an FMU
                     check_choice(name, value, PARAMETERS[name].choices)
             return ContactSystem(**arguments).stepper()
-        except ValueError as wrong:
-            raise Refused(str(wrong)) from None
+        except ValueError as wrong:         # as native FMUs have it: no proposals, and no texts for numbers
+            raise Refused(str(wrong).partition(PROPOSAL)[0].removesuffix(ALSO_RATIO)) from None
 
     def _profile(self, keyword, name):
         """The path of the file of that name in the resources, or the name of a standard profile.
@@ -279,10 +283,20 @@ class Session:
         values[STATUS] = outcome
         self._stale = self._balanced = False
         self.evaluations += 1
+        self._remark_load()
         if self.parameters["contact_mode"] != "compliant":
             self._find_equilibrium()            # which costs nothing
         if outcome:
             self._tell()
+
+    def _remark_load(self):
+        """Tell once of a load that is permitted but not usual, as after an error in its unit."""
+        load = float(self._values[LOAD])
+        if self._remarked or not 0.0 < load < math.inf or USUAL_LOAD[0] <= load <= USUAL_LOAD[1]:
+            return
+        if self.parameters["contact_mode"] != "compliant":
+            self._remarked = True
+            self.tell(str(UnusualValueWarning("normal_force", load, "N", USUAL_LOAD)))
 
     def _find_equilibrium(self):
         """Height and roll at which the load is carried; where there are none the last ones stay."""

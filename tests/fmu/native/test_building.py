@@ -39,7 +39,7 @@ def test_command_line_prints_the_paths(fmus, tmp_path):
 def test_command_line_refuses_in_a_sentence(tmp_path):
     command = [sys.executable, str(ROOT / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
     wrong = subprocess.run([*command, "--platforms", "amiga"], capture_output=True, text=True)
-    assert wrong.returncode == 1 and "platform is 'amiga'; permitted are x86_64-linux" in wrong.stderr
+    assert wrong.returncode == 2 and "--platforms has 'amiga'; permitted are x86_64-linux" in wrong.stderr
     assert not (tmp_path / "out").exists()
 
 

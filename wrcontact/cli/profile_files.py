@@ -1,0 +1,73 @@
+"""Options such as ``--rail-mirror-y``, which tell how a file of points is read."""
+
+from functools import wraps
+from inspect import Parameter, Signature, signature
+from typing import Annotated
+
+import typer
+
+from ..profiles.options import ENDINGS, ProfileFile, parsed
+from ..profiles.options import WORDS as FILE_WORDS
+from .door import Refused, sentences
+from .groups import FILES
+
+KINDS = ("wheel", "rail")
+
+
+def reads_files(command):
+    """Decorator that adds these options to a command with ``--wheel`` and ``--rail``; the command receives a
+    :class:`~wrcontact.ProfileFile` if one of them is given."""
+
+    @wraps(command)
+    def with_options(**given):
+        for kind in KINDS:
+            chosen = {name: given.pop(f"{kind}_{name}") for name in _names(kind)}
+            chosen = {name: value for name, value in chosen.items() if value is not None}
+            if chosen and given[kind] is None:
+                name = _file_option_name(kind, next(iter(chosen)))
+                raise Refused(f"{name} is given; it is permitted only with --{kind} FILE")
+            if chosen:
+                with sentences():
+                    given[kind] = ProfileFile(given[kind], **chosen)
+        return command(**given)
+
+    options = [_file_option(kind, name) for kind in KINDS for name in _names(kind)]
+    own = list(signature(command).parameters.values())
+    with_options.__signature__ = Signature(own + options)
+    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
+    return with_options
+
+
+def _names(kind):
+    """The options of a ``kind`` of profile; a wheel has no inclination."""
+    return [name for name in ENDINGS if kind == "rail" or name != "file_inclination"]
+
+
+def _file_option_name(kind, name):
+    return f"--{kind}-{ENDINGS[name]}"
+
+
+def _file_option(kind, name):
+    """The command's parameter for one option; None if it is not given."""
+    words = f"{kind.capitalize()}: {FILE_WORDS[name][0].lower()}{FILE_WORDS[name][1:]}"
+    flags, reading, value = _file_option_name(kind, name), {}, str
+    if name.startswith("mirror"):
+        flags, value = f"{flags}/--no-{flags[2:]}", bool
+    elif name == "select":
+        reading = {"metavar": "NUMBER|NAME", "parser": lambda text: int(text) if text.isdecimal() else text}
+    else:
+        reading = {"metavar": {"shift": "Y,Z"}.get(name, "NUMBER"), "parser": _parser(name)}
+    option = typer.Option(flags, help=words, show_default=False, hidden=True, rich_help_panel=FILES,
+                          **reading)
+    return Parameter(f"{kind}_{name}", Parameter.KEYWORD_ONLY, default=None,
+                     annotation=Annotated[value | None, option])
+
+
+def _parser(name):
+    def parse(text):
+        try:
+            return parsed(name, text)
+        except ValueError as wrong:
+            raise typer.BadParameter(str(wrong)) from None
+
+    return parse

@@ -1,0 +1,77 @@
+"""Sentences of the package in the names and units that the user typed: options in place of keywords."""
+
+import re
+
+from ..interface.parameters import PARAMETERS
+from ..interface.variables import INPUT, UNITS, VARIABLES
+from ..methods.numbers import UnusualValueWarning
+from ..profiles.options import ENDINGS
+from ..results.words import unit_name
+from ..status import Terms, distinct
+from .options import option_of
+
+INPUTS = {v.name: v for v in VARIABLES if v.causality == INPUT}
+OPTIONS = {v.keyword: option_of(v) for v in VARIABLES if v.keyword in PARAMETERS} | {
+    "smoothing": "--smoothing-um"}
+#: Keywords that are ordinary words, too; they are keywords at the beginning of a sentence.
+ORDINARY = ("wheel", "rail", "left_wheel", "left_rail", "load", "smoothing")
+#: How sentences on a profile begin.
+OF_PROFILE = re.compile("(?:left )?(wheel|rail) profile ")
+#: Endings of sentences on what only Python has.
+PYTHON = ", the path of a profile file, or a Profile"
+
+
+class Typed(Terms):
+    """Options such as ``--lateral-shift-mm``, and values in display units; ``aside`` has other names for
+    inputs that the command has no option for."""
+
+    def __init__(self, **aside):
+        self.aside = aside
+
+    def name(self, name):
+        return self.aside.get(name) or option_of(INPUTS[name])
+
+    def value(self, name, value, limit=float("nan")):
+        unit, factor = INPUTS[name].unit, UNITS[INPUTS[name].unit].display_factor
+        return f"{distinct(value * factor, limit * factor)} {unit_name(unit)}".rstrip()
+
+    def length(self, value):
+        return f"{value * 1e3:g} mm"
+
+
+#: In a sweep the lateral shift is not an option of its own.
+SWEEP = Typed(lateral_shift="lateral shift")
+
+
+def typed(sentence):
+    """A sentence of :class:`~wrcontact.ContactSystem` with options in place of its keywords."""
+    of_profile = OF_PROFILE.match(sentence)
+    if of_profile:
+        return of_file(sentence, of_profile[1])
+    for keyword, option in OPTIONS.items():
+        first = "^" if keyword in ORDINARY else r"\b(?<![-'])"
+        sentence = re.sub(rf"{first}{keyword}\b(?= is |[^\w'-]|$)", option, sentence)
+    return sentence.replace(PYTHON, " and the path of a profile file")
+
+
+def of_file(sentence, kind):
+    """A sentence on a file of this ``kind``, "wheel" or "rail", with the options that say how it is read."""
+    for name, ending in ENDINGS.items():
+        option = f"--{kind}-{ending}"
+        for value, said in (("True", option), ("False", f"--no-{option[2:]}")):
+            sentence = sentence.replace(f"{name} = {value}", said)
+        sentence = sentence.replace(f"{name} is None", f"{option} is not given")
+        sentence = re.sub(rf"(?<![\w-]){name} = ", f"{option} ", sentence)
+        sentence = re.sub(rf"(?<![\w-]){name} is ", f"{option} is ", sentence)
+    sentence = re.sub(r"\bsmoothing is\b", "--smoothing-um is", sentence)
+    return re.sub(r"\b(rail_inclination|nominal_radius)\b", lambda found: OPTIONS[found[0]], sentence)
+
+
+def remark_lines(remark):
+    """The sentences of a warning, with options and display units in place of keywords and SI."""
+    if not isinstance(remark, UnusualValueWarning):
+        return [f"{remark.kind} profile {remark.name}: {of_file(one, remark.kind)}" for one in remark.remarks]
+    factor, unit = UNITS[remark.unit].display_factor, unit_name(remark.unit)
+    value, low, high = (f"{number * factor:g}" for number in (remark.value, *remark.usual))
+    option, behind = OPTIONS.get(remark.name) or option_of(INPUTS[remark.name]), f" {unit}" if unit else ""
+    return [f"{option} is {value}{behind}; usual is {low} ... {high}{behind}. It is used as it is."]
