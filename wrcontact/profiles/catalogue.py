@@ -115,7 +115,8 @@ def find_profile(source, kind, smoothing=None, argument=None):
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return Profile.from_file(source, kind, smoothing)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
-    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile", missing)
+    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile",
+                         missing)
 
 
 def named_profile(source, kind, argument, others, missing=""):

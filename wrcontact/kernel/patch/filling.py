@@ -38,8 +38,11 @@ def begin_patch(side: SideSearch, region: Region, start: float, first: int, rule
 
 
 def forget(patch: Patch):
-    """No load, no rank, no place and no motion.  The strips along the rolling direction are cut anew before they are
-    read: to clear them too would cost a rigid step 3 %."""
+    """No load, no rank, no place and no motion.
+
+    The strips along the rolling direction are cut anew before they are read: to clear them too would cost a
+    rigid step 3 %.
+    """
     clear(patch.totals)
     patch.pressure_square = 0.0
     patch.half_length_square = 0.0
