@@ -182,7 +182,7 @@ def check_creep(wheelset, given, table):
 
 
 @pytest.mark.parametrize("mode", MODES)
-@amounts((6, 50), (20, 100), (40, 500))
+@amounts((6, 50), (20, 100), (134, 500))
 def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
     off = []
     for rng, wheelset in wheelsets([seed, 77], scenes, mode):
