@@ -44,8 +44,10 @@ def answer(rail, inclination, shift, yaw, load, model="halfspace"):
     system = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, normal_model=model)
     wheel = system.evaluate(shift, yaw, normal_force=load).right
     patches = sorted(wheel.patches[:wheel.patch_count], key=lambda patch: patch.y_track)
-    found = [value for patch in patches for value in (patch.normal_force, patch.area)]
-    return [wheel.penetration, wheel.area, wheel.max_pressure, *(found if len(patches) == 2 else [np.nan] * 4)]
+    found = [np.nan] * 4
+    if len(patches) == 2:
+        found = [value for patch in patches for value in (patch.normal_force, patch.area)]
+    return [wheel.penetration, wheel.area, wheel.max_pressure, *found]
 
 
 def main():

@@ -1,7 +1,7 @@
 """Hertz's ellipse is no wider than wheel and rail.
 
-In the flange root of S1002 (a radius of 13 mm) the corner of UIC60 (13 mm) rolls: the lateral curvature at the
-contact point is zero, and the ellipse of its least value would be 102 mm wide.
+In the flange root of S1002 (a radius of 13 mm) the corner of UIC60 (13 mm) rolls: the lateral curvature at
+the contact point is zero, and the ellipse of its least value would be 102 mm wide.
 """
 
 from math import radians
