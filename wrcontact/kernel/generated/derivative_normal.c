@@ -1355,23 +1355,30 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     double half_width_t;
     double stiffness;
     double stiffness_t;
+    double low;
+    double low_t;
+    double high;
+    double high_t;
     double v3;
-    double v3_t;
-    double widest_t;
-    double widest;
     double v4;
     double v4_t;
+    double widest_t;
+    double widest;
     double v5;
+    double v5_t;
     double v6;
-    double load_t;
-    double load;
+    double v6_t;
     double v7;
     double v8;
-    int64_t n9;
-    int64_t patch;
+    double load_t;
+    double load;
+    double v9;
     double v10;
-    double v11;
+    int64_t n11;
+    int64_t patch;
     double v12;
+    double v13;
+    double v14;
     double pressure_t;
     double pressure;
     derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
@@ -1389,24 +1396,38 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     B_t = v2_t;
     B = v2;
     derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
-    derivative_hertz_contact__widest_ellipse_t(&v3, &v3_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    widest_t = v3_t;
-    widest = v3;
+    derivative_hertz_contact__profile_ends_t(&low, &low_t, &high, &high_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    v3 = high - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
+    v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low;
+    v4_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low_t;
+    if (v3 < v4)
+    {
+        v4 = v3;
+        v4_t = high_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
+    }
+    widest_t = v4_t;
+    widest = v4;
     if (half_width > widest)
     {
-        derivative_hertz_contact__narrow_ellipse_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
-        B_t = v4_t;
-        B = v4;
+        derivative_hertz_contact__widest_ellipse_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, low_t, high, high_t);
+        widest_t = v5_t;
+        widest = v5;
+    }
+    if (half_width > widest)
+    {
+        derivative_hertz_contact__narrow_ellipse_t(&v6, &v6_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
+        B_t = v6_t;
+        B = v6;
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     }
-    v5 = stiffness * (*penetration);
-    v6 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v6 + v5 * derivative_rates__root_rate(v6, (*penetration_t));
-    load = v5 * v6;
-    v7 = 1.5 * stiffness;
+    v7 = stiffness * (*penetration);
     v8 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v7 * v8;
+    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
+    load = v7 * v8;
+    v9 = 1.5 * stiffness;
+    v10 = sqrt((*penetration));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v10 + v9 * derivative_rates__root_rate(v10, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v9 * v10;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
@@ -1416,18 +1437,18 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
     derivative_filling__clear_patches_t(work, work_t, side);
-    n9 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n9;
+    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n11;
     derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
-    v10 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v10 * half_width_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v10 * half_width;
+    v12 = M_PI * half_length;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v12 * half_width_t;
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v12 * half_width;
     (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v11 = 1.5 * load;
-    v12 = v11 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v12 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v12;
+    v13 = 1.5 * load;
+    v14 = v13 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure_t = (1.5 * load_t - v14 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v14;
     (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
     (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
@@ -1484,89 +1505,87 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, doub
     return 0;
 }
 
-/* Derivative of ``widest_ellipse``. */
-static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
+/* Derivative of ``profile_ends``. */
+static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, double* low_t, double* high, double* high_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
 {
-    int64_t rail;
-    int64_t wheel;
     double v1;
     double v2;
     double v2_t;
-    double low_t;
-    double low;
     double v3;
     double v4;
     double v4_t;
-    double high_t;
-    double high;
-    double v5;
-    double v5_t;
-    double v6;
-    double v6_t;
-    double v7;
-    double v7_t;
-    double widest_t;
-    double widest;
-    double v8;
-    double v9;
-    double v9_t;
-    double v10;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
-    v2 = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)));
+    v2 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
     v2_t = 0.0;
     if (v1 > v2)
     {
         v2 = v1;
         v2_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - (*cspan_at(&work_t, region + layout__REGION_WHEEL));
     }
-    low_t = v2_t;
-    low = v2;
-    v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    v4 = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
+    (*low_t) = v2_t;
+    (*low) = v2;
+    v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    v4 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
     v4_t = 0.0;
     if (v3 < v4)
     {
         v4 = v3;
         v4_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (-(*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     }
-    high_t = v4_t;
-    high = v4;
+    (*high_t) = v4_t;
+    (*high) = v4;
+    return 0;
+}
+
+/* Derivative of ``widest_ellipse``. */
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, double* v7_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double low, double low_t, double high, double high_t)
+{
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    double widest_t;
+    double widest;
+    double v4;
+    double v5;
+    double v5_t;
+    double v6;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_length_t(&v5, &v5_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__rail_length_t(&v6, &v6_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
-        v7 = v5;
-        v7_t = v5_t;
-        if (v6 < v7)
+        derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
+        v3 = v1;
+        v3_t = v1_t;
+        if (v2 < v3)
         {
-            v7 = v6;
-            v7_t = v6_t;
+            v3 = v2;
+            v3_t = v2_t;
         }
-        widest_t = v7_t;
-        widest = v7;
+        widest_t = v3_t;
+        widest = v3;
     }
     else
     {
-        v8 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
-        v9 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
-        v9_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
-        if (v8 < v9)
+        v4 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
+        v5 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
+        v5_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
+        if (v4 < v5)
         {
-            v9 = v8;
-            v9_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
+            v5 = v4;
+            v5_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
         }
-        v10 = v9 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        widest_t = (v9_t - v10 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        widest = v10;
+        v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest_t = (v5_t - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest = v6;
     }
-    (*v11) = widest;
-    (*v11_t) = widest_t;
-    if (hertz_contact__NARROWEST > (*v11))
+    (*v7) = widest;
+    (*v7_t) = widest_t;
+    if (hertz_contact__NARROWEST > (*v7))
     {
-        (*v11) = hertz_contact__NARROWEST;
-        (*v11_t) = 0.0;
+        (*v7) = hertz_contact__NARROWEST;
+        (*v7_t) = 0.0;
     }
     return 0;
 }

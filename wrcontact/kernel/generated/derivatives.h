@@ -174,7 +174,8 @@ static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* r
 
 /* derivative_hertz_contact.py */
 static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v11, double* v11_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region);
+static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, double* low_t, double* high, double* high_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region);
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, double* v7_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double low, double low_t, double high, double high_t);
 static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t);
 static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
