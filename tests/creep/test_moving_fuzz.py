@@ -154,6 +154,18 @@ def patches_of(table):
             yield name, number, patch
 
 
+def greatest_slip(given, patch):
+    """The largest sliding velocity [m/s] in a patch: that of its centre and what its places can differ from
+    it, turning with the wheelset and about the patch's normal. The speed of the centre is rolling speed times
+    creepage; rolling speed is at most the larger one of the speeds of inputs and wheel."""
+    rolling = np.maximum(np.abs(given["speed"]), np.abs(given["wheel_rate"]) * patch.rolling_radius)
+    free = np.abs(given["speed"] * given["free_rolling"]) / 0.4     # wheels are larger than that [m]
+    turning = (np.abs(given["wheel_rate"]) + free + np.abs(given["yaw_rate"])
+               + np.abs(given["speed"] * given["track_curvature"]) + rolling * np.abs(patch.creepage.spin))
+    return (1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
+            + (patch.length + patch.width) * turning)
+
+
 def check_creep(wheelset, given, table):
     """Sizes, powers and sums of one batch; poses (n,) that have a result."""
     check = dict(wheelset=wheelset, given=given)
@@ -173,11 +185,10 @@ def check_creep(wheelset, given, table):
         # of what friction takes at most: the whole of it, at the speed of the inputs and the wheels
         most = limit * (np.abs(given["speed"]) + np.abs(given["wheel_rate"]) * patch.rolling_radius)
         power = patch.friction_power / (1e-12 + most)
-        # strips with rolling radii of their own rub as if apart from the patch's plane, in which its force
-        # acts: Hertz's ellipses reach far out of it. Polach's formula leaves out the moment of spin
-        least = -0.1 if wheelset["normal_model"] == "hertz" else (
-            -1e-4 if wheelset["tangential_model"] == "polach" else -1e-9)
-        assert_none(good & (power < least), what=f"{what}: friction drives", measure=power, **check)
+        assert_none(good & (power < -1e-9), what=f"{what}: friction drives", measure=power, **check)
+        power = patch.friction_power / (1e-12 + limit * greatest_slip(given, patch))
+        assert_none(good & (power > 1.0), what=f"{what}: friction takes more than there is", measure=power,
+                    **check)
     return good
 
 

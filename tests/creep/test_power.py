@@ -1,12 +1,12 @@
-"""The power of friction is that of the forces, and forces add up, also where a wheel has more patches than
-are reported. tests/creep/test_moving_fuzz.py has that friction never drives."""
+"""The power of friction is that of the forces, friction never drives, and forces add up, also where a wheel
+has more patches than are reported."""
 
 import numpy as np
 import pytest
 from numpy.polynomial import chebyshev, polynomial
 
 import wrcontact
-from tests.helpers.cases import CREEP_MODELS
+from tests.helpers.cases import CREEP_MODELS, MODELS
 from tests.helpers.inside import work_of
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.profiles import Profile
@@ -52,6 +52,41 @@ def test_power_is_that_of_force_and_moment(normal, model):
     assert np.abs(found - wanted).max() > 0.0
     assert (np.abs(found - wanted) < 1e-8 * most).all()
     np.testing.assert_allclose(table.driving_torque, -(moment.T * axle).sum(axis=0), atol=1e-8, rtol=1e-9)
+
+
+def usual_motions(count, rng):
+    """A wheelset on a curved track: half of its shifts are those at which the flange root rolls on the rail's
+    corner."""
+    speed = rng.uniform(5, 60, count)
+    root = np.arange(count) % 2 == 1
+    return {"lateral_shift": np.where(root, rng.uniform(6.2e-3, 6.4e-3, count),
+                                      rng.uniform(-7e-3, 7e-3, count)),
+            "yaw": rng.uniform(-0.02, 0.02, count) * (rng.random(count) < 0.5),
+            "normal_force": rng.uniform(3e4, 1.5e5, count), "speed": speed,
+            "wheel_rate": speed / 0.46 * (1.0 + rng.normal(0.0, 3e-3, count)),
+            "lateral_velocity": rng.normal(0.0, 0.03, count), "yaw_rate": rng.normal(0.0, 0.05, count)}
+
+
+@pytest.mark.parametrize("mode", ("rigid", "elastic", "compliant"))
+@pytest.mark.parametrize("normal", [pytest.param(name, marks=[pytest.mark.full] * (name == "analyn_strip"))
+                                    for name in MODELS])
+def test_friction_never_drives(normal, mode):
+    """And takes no more than all of it, sliding at a third of the speed: a yaw of 0.02 and lateral velocities
+    of 0.02 of the speed are three times as much along a flange of 70 degrees, 0.2 at most were found."""
+    given = usual_motions(600, np.random.default_rng(8))
+    if mode == "compliant":
+        stand = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").evaluate_many(**given)
+        given |= {"vertical_shift_input": stand.vertical_shift, "roll_input": stand.roll}
+    for model in CREEP_MODELS:
+        table = wrcontact.ContactSystem(contact_mode=mode, normal_model=normal,
+                                        tangential_model=model).evaluate_many(**given)
+        good = table.status <= 1
+        assert good.mean() > 0.99
+        for side in (table.left, table.right):
+            for patch in side.patches:
+                most = 0.3 * patch.normal_force * given["speed"]
+                power = patch.friction_power[good] / (1e-12 + most[good])
+                assert power.min() >= -1e-9 and power.max() <= 0.3, (model, power.min(), power.max())
 
 
 #: Slope of the cone and of the rail below it, height of the bumps and half of their width [mm].

@@ -41,7 +41,8 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
 
 /* normal/hertz_contact.py */
 static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed);
-static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
+static inline int64_t hertz_contact__profile_ends(double* low, double* high, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
+static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high);
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
 static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
@@ -1124,6 +1125,8 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     double half_length;
     double half_width;
     double stiffness;
+    double low;
+    double high;
     double widest;
     double load;
     int64_t patch;
@@ -1133,7 +1136,13 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
     hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
-    widest = hertz_contact__widest_ellipse(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    hertz_contact__profile_ends(&low, &high, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+    /* no station is nearer than its abscissa */
+    widest = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low, high - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)));
+    if (half_width > widest)
+    {
+        widest = hertz_contact__widest_ellipse(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, high);
+    }
     if (half_width > widest)
     {
         B = hertz_contact__narrow_ellipse(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed, widest);
@@ -1183,22 +1192,22 @@ static inline int64_t hertz_contact__press_ellipse(double* result_0, double* res
     return 0;
 }
 
-/* Distance [m] of the contact point from where the first profile ends to either side, the smaller one, in
- * stations of the patch: along the rail of a pressed wheel, else in the contact plane.
- *
- * Below a patch both abscissae run alike (patch_places.py).
+/* Abscissae of the rail [m] at which the first profile ends to either side of the contact point.  Below a
+ * patch both abscissae run alike (patch_places.py).
  */
-static inline double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
+static inline int64_t hertz_contact__profile_ends(double* low, double* high, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
 {
-    int64_t rail;
-    int64_t wheel;
-    double low;
-    double high;
+    (*low) = double_max(2, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)), (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START))));
+    (*high) = double_min(2, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)), (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL))));
+    return 0;
+}
+
+/* Distance [m] of the contact point from the nearer one of two ends, in stations of the patch: along the
+ * rail of a pressed wheel, else in the contact plane.
+ */
+static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high)
+{
     double widest;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    low = double_max(2, (*cspan_at(&tables, rail + layout__PROFILE_START)), (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, wheel + layout__PROFILE_START))));
-    high = double_min(2, (*cspan_at(&tables, rail + layout__PROFILE_STOP)), (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL))));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         widest = double_min(2, curves__rail_length(tables, pair, low, (*cspan_at(&work, region + layout__REGION_RAIL))), curves__rail_length(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), high));

@@ -38,7 +38,11 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     B = max(FLOOR * A, 0.5 * point.curvature_y)
     half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,
                                                                     prescribed)
-    widest = widest_ellipse(pair, contact.frame, region)
+    low, high = profile_ends(pair, region)
+    # no station is nearer than its abscissa
+    widest = min(region.rail - low, high - region.rail)
+    if half_width > widest:
+        widest = widest_ellipse(pair, contact.frame, region, low, high)
     if half_width > widest:
         B = narrow_ellipse(pair.tables, region, A, B, force, prescribed, widest)
         half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,
@@ -75,16 +79,18 @@ def press_ellipse(tables: Tables, region: Region, A: float, B: float, force: flo
     return sqrt(penetration / (one_alpha * A)), sqrt(penetration / (one_beta * B)), stiffness, penetration
 
 
-def widest_ellipse(pair: Pair, frame: Frame, region: Region):
-    """Distance [m] of the contact point from where the first profile ends to either side, the smaller one, in
-    stations of the patch: along the rail of a pressed wheel, else in the contact plane.
+def profile_ends(pair: Pair, region: Region):
+    """Abscissae of the rail [m] at which the first profile ends to either side of the contact point.  Below a
+    patch both abscissae run alike (patch_places.py)."""
+    low = max(pair.rail.start, region.rail - (region.wheel - pair.wheel.start))
+    high = min(pair.rail.stop, region.rail + (pair.wheel.stop - region.wheel))
+    return low, high
 
-    Below a patch both abscissae run alike (patch_places.py).
-    """
-    rail = pair.rail
-    wheel = pair.wheel
-    low = max(rail.start, region.rail - (region.wheel - wheel.start))
-    high = min(rail.stop, region.rail + (wheel.stop - region.wheel))
+
+@seldom
+def widest_ellipse(pair: Pair, frame: Frame, region: Region, low: float, high: float):
+    """Distance [m] of the contact point from the nearer one of two ends, in stations of the patch: along the
+    rail of a pressed wheel, else in the contact plane."""
     if frame.pressed:
         widest = min(rail_length(pair, low, region.rail), rail_length(pair, region.rail, high))
     else:
