@@ -564,43 +564,77 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
  */
 
 /* Derivative of ``table_value``. */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t)
 {
     double v1;
-    int64_t cell;
-    double u;
-    double u_t;
-    int64_t at;
+    double v1_t;
     double v2;
-    double high_t;
-    double high;
+    double v2_t;
+    int64_t octave;
     double v3;
     double v4;
-    v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
-    derivative_tables__table_cell_t(&cell, &u, &u_t, v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)), 0.0);
-    at = layout__HERTZ_ROW * cell + column;
-    v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
-    high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
-    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v2;
-    v3 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
-    v4 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v3;
-    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v4;
-    (*result_1) = u_t * v4 + u * (u_t * v3 + u * (u_t * high + u * high_t));
+    double v5;
+    double place_t;
+    double place;
+    int64_t cell;
+    double u_t;
+    double u;
+    int64_t at;
+    double v6;
+    double high_t;
+    double high;
+    double v7;
+    double v8;
+    v1 = coefficients__LEAST_RATIO;
+    v1_t = 0.0;
+    if (ratio > v1)
+    {
+        v1 = ratio;
+        v1_t = ratio_t;
+    }
+    v2 = v1;
+    v2_t = v1_t;
+    if (coefficients__MOST_RATIO < v2)
+    {
+        v2 = coefficients__MOST_RATIO;
+        v2_t = 0.0;
+    }
+    ratio_t = v2_t;
+    ratio = v2;
+    octave = binary__exponent(ratio);
+    v3 = (double)(layout__HERTZ_CELLS);
+    v4 = binary__power_of_two(-octave);
+    v5 = ratio * v4 - 1.0;
+    place_t = v3 * (ratio_t * v4);
+    place = v3 * v5;
+    cell = (int64_t)(place);
+    u_t = place_t;
+    u = place - (double)(cell);
+    at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
+    v6 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
+    high_t = u_t * v6 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v6;
+    v7 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
+    v8 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v7;
+    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v8;
+    (*result_1) = u_t * v8 + u * (u_t * v7 + u * (u_t * high + u * high_t));
     return 0;
 }
 
 /* Derivative of ``hertz_coefficients``. */
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
 {
     double v1;
     double ratio_t;
     double ratio;
+    double v4;
     v1 = B / A;
-    ratio_t = (B_t - v1 * A_t) / A / v1;
-    ratio = log(v1);
+    ratio_t = (B_t - v1 * A_t) / A;
+    ratio = v1;
     derivative_coefficients__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
-    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), -ratio, -ratio_t);
-    derivative_coefficients__table_value_t(v4, v4_t, tables, table, INT64_C(6), ratio, ratio_t);
+    v4 = A / B;
+    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, (A_t - v4 * B_t) / B);
+    derivative_coefficients__table_value_t(v5, v5_t, tables, table, INT64_C(6), ratio, ratio_t);
     return 0;
 }
 
@@ -1119,15 +1153,15 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v6 = secant / A;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (secant_t - v6 * A_t) / A / v6);
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, (secant_t - v6 * A_t) / A);
         alpha_t = v5_t;
         alpha = v5;
         v8 = A / side;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), log(v8), (A_t - v8 * side_t) / side / v8);
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, (A_t - v8 * side_t) / side);
         beta_t = v7_t;
         beta = v7;
         v10 = B / A;
-        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), log(v10), (B_t - v10 * A_t) / A / v10);
+        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, (B_t - v10 * A_t) / A);
         nr_t = v9_t;
         nr = v9;
         if (yawed)
@@ -1204,33 +1238,28 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double
  */
 
 /* Derivative of ``guess_penetration``. */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
 {
     double v1;
     double v2;
     double share_t;
     double share;
-    double v3;
     double v4;
     double v5;
     double v6;
-    double v7;
     v1 = 0.75 * force;
     v2 = v1 / contact_modulus;
     share_t = (0.75 * force_t - v2 * contact_modulus_t) / contact_modulus;
     share = v2;
-    v3 = share * share;
-    v4 = 1.0 + estimate__TYPICAL_RATIO;
-    v5 = v3 * v4;
-    v6 = v5 * A;
-    v7 = 1.0 / 3.0;
-    (*v8) = pow(v6, v7);
-    (*result_1) = derivative_rates__power_rate((*v8), v6, v7, (share_t * share + share * share_t) * v4 * A + v5 * A_t);
+    v4 = share * share;
+    v5 = 1.0 + estimate__TYPICAL_RATIO;
+    v6 = v4 * v5;
+    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, (share_t * share + share * share_t) * v5 * A + v6 * A_t);
     return 0;
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     double A_t;
     double A;
@@ -1255,8 +1284,11 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     double v5_t;
     double stiffness_t;
     double stiffness;
-    double v6;
     double v7;
+    double v6;
+    double v6_t;
+    double root_t;
+    double root;
     A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
@@ -1284,10 +1316,12 @@ static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, do
     derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
-    v6 = force / stiffness;
-    v7 = 2.0 / 3.0;
-    (*v8) = pow(v6, v7);
-    (*result_1) = derivative_rates__power_rate((*v8), v6, v7, (force_t - v6 * stiffness_t) / stiffness);
+    v7 = force / stiffness;
+    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, (force_t - v7 * stiffness_t) / stiffness);
+    root_t = v6_t;
+    root = v6;
+    (*result_0) = root * root;
+    (*result_1) = root_t * root + root * root_t;
     return 0;
 }
 
@@ -1437,7 +1471,7 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
     derivative_filling__clear_patches_t(work, work_t, side);
-    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n11;
     derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
     v12 = M_PI * half_length;
@@ -1461,7 +1495,7 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
 }
 
 /* Derivative of ``press_ellipse``. */
-static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, double* result_1, double* v10, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
 {
     double one_alpha;
     double one_alpha_t;
@@ -1471,14 +1505,16 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, doub
     double nr_t;
     double v1;
     double v1_t;
-    double v2;
     double v3;
     double v4;
+    double v2;
+    double v2_t;
+    double root_t;
+    double root;
     double v5;
     double v6;
-    double v7;
+    double v8;
     double v9;
-    double v10;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
     derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     (*stiffness_t) = v1_t;
@@ -1487,21 +1523,22 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, doub
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
-        v2 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
-        v3 = force / v2;
-        v4 = 2.0 / 3.0;
-        v5 = pow(v3, v4);
-        (*penetration_t) = derivative_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v2);
-        (*penetration) = v5;
+        v3 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
+        v4 = force / v3;
+        derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, (force_t - v4 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v3);
+        root_t = v2_t;
+        root = v2;
+        (*penetration_t) = root_t * root + root * root_t;
+        (*penetration) = root * root;
     }
-    v6 = one_alpha * A;
-    v7 = (*penetration) / v6;
-    (*v8) = sqrt(v7);
-    v9 = one_beta * B;
-    v10 = (*penetration) / v9;
-    (*v11) = sqrt(v10);
-    (*result_1) = derivative_rates__root_rate((*v8), ((*penetration_t) - v7 * (one_alpha_t * A + one_alpha * A_t)) / v6);
-    (*result_3) = derivative_rates__root_rate((*v11), ((*penetration_t) - v10 * (one_beta_t * B + one_beta * B_t)) / v9);
+    v5 = one_alpha * A;
+    v6 = (*penetration) / v5;
+    (*v7) = sqrt(v6);
+    v8 = one_beta * B;
+    v9 = (*penetration) / v8;
+    (*v10) = sqrt(v9);
+    (*result_1) = derivative_rates__root_rate((*v7), ((*penetration_t) - v6 * (one_alpha_t * A + one_alpha * A_t)) / v5);
+    (*result_3) = derivative_rates__root_rate((*v10), ((*penetration_t) - v9 * (one_beta_t * B + one_beta * B_t)) / v8);
     return 0;
 }
 
@@ -1644,8 +1681,6 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
     int64_t strips;
     int64_t index;
     int64_t region;
-    double angle_t;
-    double angle;
     int64_t k_end;
     int64_t k;
     derivative_filling__clear_patches_t(work, work_t, side);
@@ -1663,12 +1698,10 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             derivative_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
-            angle_t = -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION))));
-            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                derivative_node_patches__add_cell_t(work, work_t, side, index, k, angle, angle_t);
+                derivative_node_patches__add_cell_t(work, work_t, side, index, k);
             }
         }
     }
@@ -1758,7 +1791,7 @@ static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d wor
 }
 
 /* Derivative of ``add_cell``. */
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k, double contact_angle, double contact_angle_t)
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k)
 {
     int64_t region;
     int64_t nodes;
@@ -1833,7 +1866,7 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
             end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k, contact_angle, contact_angle_t);
+        n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k);
         index = n2;
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
@@ -1884,7 +1917,7 @@ static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d w
 }
 
 /* Derivative of ``patch_from``. */
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip, double contact_angle, double contact_angle_t)
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip)
 {
     bool joined;
     int64_t last;
@@ -1903,7 +1936,7 @@ static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work
     if (!joined)
     {
         derivative_filling__finish_patch_t(work, work_t, side);
-        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, strip, layout__RULE_QUADRATIC, contact_angle, contact_angle_t);
+        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, strip, layout__RULE_QUADRATIC);
         index = n1;
     }
     return index;
@@ -2442,7 +2475,7 @@ static inline int64_t derivative_nodes__zone_share_t(double* share, double* shar
     side_t = v2_t;
     side = v2;
     v4 = A / side;
-    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v4), (A_t - v4 * side_t) / side / v4);
+    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, (A_t - v4 * side_t) / side);
     v5 = nodes__SPREAD / v3;
     (*share_t) = (-v5) * v3_t / v3;
     (*share) = v5;
@@ -2920,6 +2953,14 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
+    double slope_t;
+    double slope;
+    double v7;
+    double v7_t;
+    double v8;
+    double v9;
+    double v10;
+    double v11;
     load_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
@@ -2938,8 +2979,19 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = v4;
         v5 = -(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
         v6 = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / v5;
-        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -(((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5 / (1.0 + v6 * v6));
-        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -atan(v6);
+        slope_t = ((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5;
+        slope = v6;
+        derivative_circle__atan_rule_t(&v7, &v7_t, slope, slope_t);
+        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -v7_t;
+        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -v7;
+        v8 = 1.0 + slope * slope;
+        v9 = sqrt(v8);
+        v10 = 1.0 / v9;
+        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) = (-v10) * derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) / v9;
+        (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = v10;
+        v11 = -slope;
+        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) = (-slope_t) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+        (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = v11 * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     }
     return INT64_C(0);
 }
@@ -2960,10 +3012,15 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     double height_t;
     double slope;
     double slope_t;
+    double v2;
+    double v3;
+    double v4;
     double y;
     double y_t;
     double z;
     double z_t;
+    double down_t;
+    double down;
     number = INT64_C(0);
     while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
     {
@@ -2978,6 +3035,13 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         abscissa_t = v1_t;
         abscissa = v1;
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
+        v2 = 1.0 + slope * slope;
+        v3 = sqrt(v2);
+        v4 = 1.0 / v3;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = v4;
+        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
         derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
@@ -2986,6 +3050,19 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
         (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
+    }
+    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    {
+        for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+        {
+            strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+            down_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+            down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
+            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)));
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
+            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down_t);
+            (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
+        }
     }
     return INT64_C(0);
 }
@@ -4405,7 +4482,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     stop_t = v2_t;
     stop = v2;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))), -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION)))));
+    n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT);
     index = n3;
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
@@ -6017,11 +6094,11 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
         lean_t = 0.0;
         lean = 0.0;
         v6 = A / low;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v6), (A_t - v6 * low_t) / low / v6);
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
         low_beta_t = v5_t;
         low_beta = v5;
         v8 = A / high;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v8), (A_t - v8 * high_t) / high / v8);
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
         high_beta_t = v7_t;
         high_beta = v7;
         if (frame__is_yawed(work))

@@ -20,9 +20,14 @@ static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penet
 static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 
+/* derivative_circle.py */
+static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, double* result_1, double* cosine, double* result_3, double x, double x_t);
+static inline int64_t derivative_circle__atan_rule_t(double* result_0, double* result_1, double x, double x_t);
+static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* result_1, double up, double up_t, double along, double along_t);
+
 /* derivative_coefficients.py */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t);
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
 static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
@@ -50,14 +55,16 @@ static inline int64_t derivative_correction__missing_t(double* result_0, double*
 static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_coupled_strips.py */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
+static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t march, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, double* value_t, double z, double z_t);
 static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, double* depth_t, double* weight, double* weight_t, double square, double square_t, double v, double v_t, double k, double k_t, double a, double a_t);
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double shift, double shift_t, double width, double width_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__later_share_t(double* share, double* share_t, double depth, double depth_t, double ratio, double ratio_t);
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, double width, double width_t, double ratio, double ratio_t);
+static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t march);
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double mean, double mean_t, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, double* result_1, double* v7, double* result_3, array_double_1d work, array_double_1d work_t, int64_t patch);
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double rate, double rate_t, int64_t index);
+static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t strip, int64_t index);
+static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double ratio, double ratio_t);
 static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
@@ -71,6 +78,7 @@ static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, 
 static inline int64_t derivative_creepage__velocity_along_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double y, double y_t, double z, double z_t, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__reference_speed_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double rolling_x, double rolling_x_t);
 static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t);
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_creepage__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 
@@ -112,17 +120,17 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
 static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, double height_t);
 
 /* derivative_estimate.py */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v8, double* result_1, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
-static inline int64_t derivative_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
+static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t);
+static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 
 /* derivative_fastrip.py */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t march);
 static inline int64_t derivative_fastrip__longitudinal_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t);
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t);
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip);
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, int64_t march, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t);
+static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t);
+static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip);
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
 /* derivative_fastsim.py */
@@ -133,7 +141,8 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
 
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side);
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch);
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals);
 static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_double_1d work_t, int64_t side);
@@ -144,6 +153,7 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
 
 /* derivative_forces.py */
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__about_axle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double moment_x, double moment_x_t, double moment_y, double moment_y_t, double moment_z, double moment_z_t);
 static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double plane, double plane_t, double across, double across_t);
 static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double mirror, double mirror_t);
@@ -173,7 +183,7 @@ static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* r
 static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t);
 
 /* derivative_hertz_contact.py */
-static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v8, double* result_1, double* v11, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, double* result_1, double* v10, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, double* low_t, double* high, double* high_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region);
 static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, double* v7_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double low, double low_t, double high, double high_t);
 static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t);
@@ -195,9 +205,9 @@ static inline int64_t derivative_locus__outline_x_t(double* result_0, double* re
 
 /* derivative_march.py */
 static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t);
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number, int64_t last);
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t number);
+static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t);
+static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last);
+static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number);
 static inline int64_t derivative_march__sqrt_of_t(double* root, double* root_t, double value, double value_t);
 static inline int64_t derivative_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t);
 static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t);
@@ -210,7 +220,8 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
 
 /* derivative_motion.py */
 static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t);
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion);
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t mirrored);
 static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t);
@@ -222,11 +233,11 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
 /* derivative_node_patches.py */
 static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes);
 static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t);
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip);
 static inline int64_t derivative_node_patches__add_part_t(double* load, double* load_t, double* moment, double* moment_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t);
 static inline int64_t derivative_node_patches__peak_square_t(double* result_0, double* result_1, double before, double before_t, double square, double square_t, double after, double after_t);
 static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k, double contact_angle, double contact_angle_t);
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k);
 static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t count);
 
 /* derivative_nodes.py */
@@ -278,6 +289,11 @@ static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array
 static inline int64_t derivative_polach__largest_shear_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch);
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch);
 
+/* derivative_powers.py */
+static inline int64_t derivative_powers__exp_rule_t(double* value, double* result_1, double x, double x_t);
+static inline int64_t derivative_powers__log_rule_t(double* result_0, double* result_1, double x, double x_t);
+static inline int64_t derivative_powers__cube_root_rule_t(double* root, double* rate, double x, double x_t);
+
 /* derivative_pressed.py */
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t);
 static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double y, double y_t, double bend, double bend_t);
@@ -316,7 +332,6 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, double* res
 /* derivative_rates.py */
 static inline double derivative_rates__root_rate(double root, double rate);
 static inline double derivative_rates__size_rate(double value, double rate);
-static inline double derivative_rates__power_rate(double power, double base, double exponent, double rate);
 
 /* derivative_report.py */
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_double_1d work_t, int64_t out, int64_t vector, double plane, double plane_t, double across, double across_t);
@@ -377,7 +392,8 @@ static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, doub
 static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t);
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t j, double near, double near_t, double far, double far_t);
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table);
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations);
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations, int64_t sides);
+static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_stiffness__mean_share_t(double* share, double* share_t, double ratio, double ratio_t);
 static inline int64_t derivative_stiffness__not_below_t(double* result_0, double* result_1, double value, double value_t, double least, double least_t);
 static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_double_1d work_t, double share, double share_t);

@@ -84,8 +84,10 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
     return index;
 }
 
-/* No load, no rank, no place and no motion.  The strips along the rolling direction are cut anew before they are
- * read: to clear them too would cost a rigid step 3 %.
+/* No load, no rank, no place and no motion.
+ *
+ * The strips along the rolling direction are cut anew before they are read: to clear them too would cost a
+ * rigid step 3 %.
  */
 static inline int64_t filling__forget(array_double_1d work, int64_t patch)
 {
