@@ -22,8 +22,20 @@ import numpy as np
 from .. import status as outcomes
 from ..interface.inputs import USUAL_LOAD
 from ..interface.parameters import LEFT, SIDED
-from ..interface.variables import (BOOLEAN, EQUILIBRIUM, FIRST_OUTPUT, INTEGER, OUTPUT, PARAMETER, PLACE,
-                                   REAL, REFERENCE, STATUS, STRING, VARIABLES)
+from ..interface.variables import (
+    BOOLEAN,
+    EQUILIBRIUM,
+    FIRST_OUTPUT,
+    INTEGER,
+    OUTPUT,
+    PARAMETER,
+    PLACE,
+    REAL,
+    REFERENCE,
+    STATUS,
+    STRING,
+    VARIABLES,
+)
 from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
