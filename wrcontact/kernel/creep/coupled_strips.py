@@ -47,8 +47,9 @@ from .tractions import add_strip, bound_rate, patch_area, point_weight
 LATER: Final[float] = 0.08
 #: Share of the strip over which its stick zone fades.
 FADE: Final[float] = 0.1
-#: How much a strip carries more, the more its neighbours slip; eq. (Z5).
-YIELD: Final[float] = 0.25
+#: How much more a strip carries whose neighbours slip, and how spin reduces that; eq. (Z4).
+YIELD: Final[float] = 0.6
+YIELD_TWIST: Final[float] = 4.0
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
 SPREAD_FLOOR: Final[float] = 0.3
 FLOOR_RATIO: Final[float] = 4.5
@@ -80,7 +81,8 @@ def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
     linear theory."""
     a = march.half_length
     share = later_share(march.depth / a, ratio)
-    push = share * (1.0 + YIELD * (march.carried - mean) / max(march.carried, mean))
+    yielding = YIELD / (1.0 + YIELD_TWIST * march.twist * march.twist)
+    push = share * (1.0 + yielding * (march.carried - mean) / max(march.carried, mean))
     u = push * march.stick_x
     v = push * march.stick_y
     k = share * march.twist

@@ -1145,7 +1145,8 @@ static const double correction__PER_DOUBLING = 1.4426950408889634;
 /* creep/coupled_strips.py */
 static const double coupled_strips__LATER = 0.08;
 static const double coupled_strips__FADE = 0.1;
-static const double coupled_strips__YIELD = 0.25;
+static const double coupled_strips__YIELD = 0.6;
+static const double coupled_strips__YIELD_TWIST = 4.0;
 static const double coupled_strips__SPREAD_FLOOR = 0.3;
 static const double coupled_strips__FLOOR_RATIO = 4.5;
 static const double coupled_strips__FLOOR_TWIST = 1.5;

@@ -386,6 +386,7 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int6
 {
     double a;
     double share;
+    double yielding;
     double push;
     double u;
     double v;
@@ -394,7 +395,8 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int6
     double weight;
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     share = coupled_strips__later_share((*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a, ratio);
-    push = share * (1.0 + coupled_strips__YIELD * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean));
+    yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)));
+    push = share * (1.0 + yielding * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean));
     u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
     v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
     k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
