@@ -69,11 +69,10 @@ def open_stick_zone(march: RollingMarch, shift: float, width: float, ratio: floa
     depth, weight = slip_depth(march.stick_x * march.stick_x + march.spread, march.stick_y, march.twist, a)
     march.depth = depth
     march.weight = weight
-    march.carried = 1.0
     if depth < a:
-        march.carried = 1.0 - 0.5 * depth / a
+        march.carried = weight * (1.0 - 0.5 * depth / a)
     else:
-        march.carried = 0.5 * a / depth
+        march.carried = weight * (0.5 * a / depth)
 
 
 def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
@@ -82,7 +81,7 @@ def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
     a = march.half_length
     share = later_share(march.depth / a, ratio)
     yielding = YIELD / (1.0 + YIELD_TWIST * march.twist * march.twist)
-    push = share * (1.0 + yielding * (march.carried - mean) / max(march.carried, mean))
+    push = share * (1.0 + yielding * (march.carried - mean) / (max(march.carried, mean) + NOTHING))
     u = push * march.stick_x
     v = push * march.stick_y
     k = share * march.twist

@@ -1172,6 +1172,7 @@ static const double march__FILLS = 6.0;
 static const double march__SHARE = 0.65;
 static const double march__SHARE_RATIO = 1.2;
 static const double march__SOFT = 0.05;
+static const double march__FAINT = 0.001;
 static const double march__NOTHING = 1e-300;
 
 /* creep/polach.py */

@@ -367,14 +367,13 @@ static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int6
     coupled_strips__slip_depth(&depth, &weight, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), a);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0;
     if (depth < a)
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0 - 0.5 * depth / a;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * (1.0 - 0.5 * depth / a);
     }
     else
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 0.5 * a / depth;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * (0.5 * a / depth);
     }
     return INT64_C(0);
 }
@@ -396,7 +395,7 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int6
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     share = coupled_strips__later_share((*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a, ratio);
     yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)));
-    push = share * (1.0 + yielding * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean));
+    push = share * (1.0 + yielding * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / (double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean) + march__NOTHING));
     u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
     v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
     k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
@@ -2025,6 +2024,7 @@ static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double 
     double step;
     double to_x;
     double to_y;
+    double kept;
     double share;
     weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
     near = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
@@ -2039,6 +2039,13 @@ static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double 
     step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x;
     march__stepped(&to_x, &to_y, work, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, step);
     tractions__cut_to(&to_x, &to_y, to_x, to_y, bound);
+    if (weight < march__FAINT)
+    {
+        /* as if there was no stick zone, of which nothing is left */
+        kept = weight / march__FAINT;
+        to_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + kept * (to_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)));
+        to_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + kept * (to_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)));
+    }
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
     march__slip_traction(&slip_x, &slip_y, work, i, bound);

@@ -391,6 +391,7 @@ static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_
     double v11;
     double v12;
     double v13;
+    double v14;
     a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v1 = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
@@ -417,21 +418,20 @@ static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = weight_t;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0;
     if (depth < a)
     {
         v10 = 0.5 * depth;
         v11 = v10 / a;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = -((0.5 * depth_t - v11 * a_t) / a);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = 1.0 - v11;
+        v12 = 1.0 - v11;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = weight_t * v12 + weight * (-((0.5 * depth_t - v11 * a_t) / a));
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v12;
     }
     else
     {
-        v12 = 0.5 * a;
-        v13 = v12 / depth;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = (0.5 * a_t - v13 * depth_t) / depth;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = v13;
+        v13 = 0.5 * a;
+        v14 = v13 / depth;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = weight_t * v14 + weight * ((0.5 * a_t - v14 * depth_t) / depth);
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v14;
     }
     return INT64_C(0);
 }
@@ -457,6 +457,7 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double v8_t;
     double v9;
     double v10;
+    double v11;
     double push_t;
     double push;
     double u_t;
@@ -465,24 +466,24 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double v;
     double k_t;
     double k;
-    double v11;
+    double v12;
     double depth;
     double depth_t;
     double weight;
     double weight_t;
-    double v12;
-    double v12_t;
     double v13;
+    double v13_t;
     double v14;
     double v15;
     double v16;
-    double v18;
-    double v19;
     double v17;
-    double v17_t;
+    double v19;
     double v20;
+    double v18;
+    double v18_t;
     double v21;
-    double v21_t;
+    double v22;
+    double v22_t;
     a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a;
@@ -503,27 +504,28 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
         v8 = mean;
         v8_t = mean_t;
     }
-    v9 = v7 / v8;
-    v10 = 1.0 + v9;
-    push_t = share_t * v10 + share * ((yielding_t * v6 + yielding * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) - mean_t) - v9 * v8_t) / v8);
-    push = share * v10;
+    v9 = v8 + march__NOTHING;
+    v10 = v7 / v9;
+    v11 = 1.0 + v10;
+    push_t = share_t * v11 + share * ((yielding_t * v6 + yielding * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) - mean_t) - v10 * v8_t) / v9);
+    push = share * v11;
     u_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
     u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
     v_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
     v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
     k_t = share_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST));
     k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
-    v11 = share * share;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v11 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), u_t * u + u * u_t + ((share_t * share + share * share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v11 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))), v, v_t, k, k_t, a, a_t);
-    v12 = weight;
-    v12_t = weight_t;
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v12)
+    v12 = share * share;
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), u_t * u + u * u_t + ((share_t * share + share * share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v12 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))), v, v_t, k, k_t, a, a_t);
+    v13 = weight;
+    v13_t = weight_t;
+    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v13)
     {
-        v12 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-        v12_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+        v13 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
+        v13_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
     }
-    weight_t = v12_t;
-    weight = v12;
+    weight_t = v13_t;
+    weight = v13;
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = a_t;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
@@ -538,21 +540,21 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     {
         (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
         (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-        v13 = depth + march__NOTHING;
-        v14 = u / v13;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v14 * depth_t) / v13;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v14;
-        v15 = depth + march__NOTHING;
-        v16 = v / v15;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v16 * depth_t) / v15 + k_t;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v16 + k;
-        v18 = depth / a;
-        v19 = 1.0 - v18;
-        derivative_coupled_strips__smooth_step_t(&v17, &v17_t, v19 / coupled_strips__FADE, (-((depth_t - v18 * a_t) / a)) / coupled_strips__FADE);
-        v20 = weight * v17;
-        derivative_coupled_strips__edge_weight_t(&v21, &v21_t, work, work_t, march);
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v17 + weight * v17_t) * v21 + v20 * v21_t;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v20 * v21;
+        v14 = depth + march__NOTHING;
+        v15 = u / v14;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v15 * depth_t) / v14;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v15;
+        v16 = depth + march__NOTHING;
+        v17 = v / v16;
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v17 * depth_t) / v16 + k_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v17 + k;
+        v19 = depth / a;
+        v20 = 1.0 - v19;
+        derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, (-((depth_t - v19 * a_t) / a)) / coupled_strips__FADE);
+        v21 = weight * v18;
+        derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, march);
+        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v18 + weight * v18_t) * v22 + v21 * v22_t;
+        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v21 * v22;
     }
     (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - a_t;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
@@ -3421,11 +3423,15 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     double to_x_t;
     double to_y;
     double to_y_t;
-    double share_t;
-    double share;
+    double kept_t;
+    double kept;
     double v1;
     double v2;
+    double share_t;
+    double share;
     double v3;
+    double v4;
+    double v5;
     weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
     weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
     near_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
@@ -3446,6 +3452,17 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x;
     derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, x_t, step, step_t);
     derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
+    if (weight < march__FAINT)
+    {
+        kept_t = weight_t / march__FAINT;
+        kept = weight / march__FAINT;
+        v1 = to_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i));
+        to_x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (kept_t * v1 + kept * (to_x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
+        to_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + kept * v1;
+        v2 = to_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i));
+        to_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (kept_t * v2 + kept * (to_y_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
+        to_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + kept * v2;
+    }
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x_t;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y_t;
@@ -3461,13 +3478,13 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + bound * slip_x;
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (bound_t * slip_y + bound * slip_y_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + bound * slip_y;
-    v1 = bound * x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((bound_t * x + bound * x_t) * slip_y + v1 * slip_y_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v1 * slip_y;
-    v2 = 1.0 - share;
-    v3 = v2 * bound;
-    weight_t = weight_t * v3 + weight * ((-share_t) * bound + v2 * bound_t);
-    weight = weight * v3;
+    v3 = bound * x;
+    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((bound_t * x + bound * x_t) * slip_y + v3 * slip_y_t);
+    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v3 * slip_y;
+    v4 = 1.0 - share;
+    v5 = v4 * bound;
+    weight_t = weight_t * v5 + weight * ((-share_t) * bound + v4 * bound_t);
+    weight = weight * v5;
     derivative_march__note_largest_t(work, work_t, i, p_x + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, p_x_t + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) + slip_x_t, p_y + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y, p_y_t + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) + slip_y_t);
     (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
