@@ -12,7 +12,7 @@ static const int64_t layout__WORK_SIZE = INT64_C(62664);
 static const int64_t layout__STATE_SIZE = INT64_C(5);
 static const int64_t layout__SETTING_COUNT = INT64_C(74);
 static const int64_t layout__SETUP_SIZE = INT64_C(38);
-static const int64_t layout__ROLLING_TABLE_SIZE = INT64_C(29915);
+static const int64_t layout__ROLLING_TABLE_SIZE = INT64_C(35531);
 static const int64_t layout__SIDE_SIZE = INT64_C(264);
 static const int64_t layout__PATCH_OUTPUTS_SIZE = INT64_C(25);
 static const int64_t layout__OUT_RIGHT = INT64_C(279);
@@ -106,13 +106,13 @@ static const int64_t layout__REACH_CELLS = INT64_C(90);
 static const int64_t layout__REACH_COLUMNS = INT64_C(3);
 static const int64_t layout__REACH_ROW = INT64_C(12);
 static const int64_t layout__CORRECTION_RATIOS = INT64_C(9);
-static const int64_t layout__CORRECTION_ELEVATIONS = INT64_C(5);
+static const int64_t layout__CORRECTION_ELEVATIONS = INT64_C(6);
 static const int64_t layout__CORRECTION_AZIMUTHS = INT64_C(13);
 static const int64_t layout__CORRECTION_RADII = INT64_C(12);
 static const int64_t layout__CORRECTION_COLUMNS = INT64_C(4);
 static const int64_t layout__CORRECTION_SCALES = INT64_C(27);
 static const int64_t layout__CORRECTION_LINE = INT64_C(48);
-static const int64_t layout__CORRECTION_SIZE = INT64_C(28080);
+static const int64_t layout__CORRECTION_SIZE = INT64_C(33696);
 static const int64_t layout__POINT_LIMIT = INT64_C(16);
 static const int64_t layout__BLOCK_COUNT = INT64_C(8);
 static const double layout__FRICTION_LIMIT = 2.0;
@@ -1138,8 +1138,9 @@ static const double strip_surfaces__FIRST_LEAD = 0.5;
 
 /* creep/correction.py */
 static const int64_t correction__ELEVATION_STRIDE = INT64_C(624);
-static const int64_t correction__RATIO_STRIDE = INT64_C(3120);
+static const int64_t correction__RATIO_STRIDE = INT64_C(3744);
 static const double correction__FIRST_RATIO = 0.1;
+static const double correction__PER_RADIAN = 2.5464790894703255;
 static const double correction__PER_DOUBLING = 1.4426950408889634;
 
 /* creep/coupled_strips.py */

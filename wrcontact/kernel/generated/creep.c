@@ -245,12 +245,14 @@ static inline int64_t correction__node_at(int64_t* at, double* on_elevation, dou
 {
     double flat;
     double radius;
+    double place;
     int64_t elevation;
     int64_t azimuth;
     int64_t cell;
     flat = sqrt(across * across + turning * turning);
     radius = sqrt(flat * flat + along * along);
-    tables__table_cell(&elevation, on_elevation, atan2(along, flat) * (2.0 / M_PI) * (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)));
+    place = atan2(along, flat) * correction__PER_RADIAN;
+    tables__table_cell(&elevation, on_elevation, place + double_min(2, place, 1.0), (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)));
     tables__table_cell(&azimuth, on_azimuth, atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
     correction__radius_cell(&cell, on_radius, tables, table, radius / (1.0 + radius));
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
@@ -338,6 +340,14 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  *
  * Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
  * f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
+ *
+ * A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force of
+ * linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h, u and
+ * v are taken this many times as well, the second time:
+ *
+ *     1 + 0.6 / (1 + 4 k^2) (g - G) / max(g, G)                                                    (Z6)
+ *
+ * In an ellipse without spin all g are alike.  u has delta of eq. (K6) in it.
  *
  * Where the stick zone of eq. (Z2) is about to be none, or asks for tractions beyond the bound at the leading
  * edge, its weight c falls smoothly from 1 to 0, so that no force jumps:  with S(z) = z^2 (3 - 2 z),
@@ -794,10 +804,12 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
 /* Creepages and spin of the strips of a patch that rolls. */
 static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch)
 {
+    double inverse;
     int64_t index;
+    inverse = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
-        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), inverse);
     }
     return INT64_C(0);
 }
@@ -2484,6 +2496,12 @@ static inline double polach__largest_shear(array_double_1d work, int64_t patch)
  *     K1 = f1 G / (2 (1 - nu)) Phi_x^-1 1,   K2 = f2 (G/2) Phi_y^-1 1,   K3 = f3 (G/2) (Phi_s^-1 a) / a   (K3)
  *
  * in which the factors f, of the patch's length over width, make the force of an ellipse exactly Kalker's.
+ * Creepages w_x that change across a patch without symmetry ask for more or less in sum than K1 w_x, whose
+ * stiffnesses are those of a uniform one.  Where strips begin to slip, the uniform creepage which makes up for
+ * that comes to w_x:
+ *
+ *     delta = (sum(a h Phi_x^-1 w_x) - sum(a h K w_x)) / sum(a h K),   K = Phi_x^-1 1              (K6)
+ *
  * Long patches have the mean of K3, weighted with a^2 and width, in all strips: from a/b = 1.5 to 3 it takes
  * over.  The equations are solved for pairs of strips; between the middles of pairs stiffnesses follow straight
  * lines.  None is taken below a small share of their mean: in spin the outermost strips of patches with a/b < 3
@@ -2693,7 +2711,7 @@ static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equa
 }
 
 /* The longitudinal creepage that strips with K1 w_x lack for the force of eq. (K1) with their own
- * creepages; eq. (K4).
+ * creepages; delta of eq. (K6).
  */
 static inline double stiffness__creepage_shift(array_double_1d work)
 {

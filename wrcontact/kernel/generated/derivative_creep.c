@@ -234,17 +234,18 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     double radius_t;
     double radius;
     double v5;
+    double place_t;
+    double place;
     double v6;
+    double v6_t;
+    int64_t elevation;
     double v7;
     double v8;
-    int64_t elevation;
     double v9;
     double v10;
+    int64_t azimuth;
     double v11;
     double v12;
-    int64_t azimuth;
-    double v13;
-    double v14;
     int64_t cell;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
@@ -255,18 +256,24 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     radius_t = derivative_rates__root_rate(v4, flat_t * flat + flat * flat_t + (along_t * along + along * along_t));
     radius = v4;
     v5 = atan2(along, flat);
-    v6 = 2.0 / M_PI;
-    v7 = v5 * v6;
-    v8 = (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1));
-    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, v7 * v8, (flat * along_t - along * flat_t) / (flat * flat + along * along) * v6 * v8, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
-    v9 = fabs(turning);
-    v10 = atan2(v9, across);
-    v11 = v10 / M_PI;
-    v12 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v11 * v12, (across * derivative_rates__size_rate(turning, turning_t) - v9 * across_t) / (across * across + v9 * v9) / M_PI * v12, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
-    v13 = 1.0 + radius;
-    v14 = radius / v13;
-    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v14, (radius_t - v14 * radius_t) / v13);
+    place_t = (flat * along_t - along * flat_t) / (flat * flat + along * along) * correction__PER_RADIAN;
+    place = v5 * correction__PER_RADIAN;
+    v6 = place;
+    v6_t = place_t;
+    if (1.0 < v6)
+    {
+        v6 = 1.0;
+        v6_t = 0.0;
+    }
+    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, place + v6, place_t + v6_t, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
+    v7 = fabs(turning);
+    v8 = atan2(v7, across);
+    v9 = v8 / M_PI;
+    v10 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
+    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v9 * v10, (across * derivative_rates__size_rate(turning, turning_t) - v7 * across_t) / (across * across + v7 * v7) / M_PI * v10, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
+    v11 = 1.0 + radius;
+    v12 = radius / v11;
+    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v12, (radius_t - v12 * radius_t) / v11);
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
 }
@@ -1207,12 +1214,16 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
 /* Derivative of ``move_strips``. */
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
 {
-    int64_t index;
     double v1;
+    double inverse_t;
+    double inverse;
+    int64_t index;
+    v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+    inverse_t = (-v1) * (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+    inverse = v1;
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
-        v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)), v1, (-v1) * (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) / (*cspan_at(&work, patch + layout__PATCH_SPEED)));
+        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)), inverse, inverse_t);
     }
     return INT64_C(0);
 }
