@@ -1,6 +1,6 @@
 """Make the stored exact creep forces of ellipses: ``python tools/make_rolling_tables.py``.
 
-Kalker's steady rolling problem at the nodes of the correction table, 4410 solutions for each Poisson's
+Kalker's steady rolling problem at the nodes of the correction table, 5490 solutions for each Poisson's
 ratio, some ten minutes each.  Writes rolling_nu025.npz ... into wrcontact/kernel/data.  Finished lines of
 nodes are kept in rolling_nu025.parts ... until their table is complete, so the program may be interrupted.
 

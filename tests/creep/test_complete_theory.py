@@ -110,7 +110,8 @@ def test_resultants_take_them_up(both):
         assert patch.saturation == pytest.approx(np.hypot(patch.tangential.x, patch.tangential.y) / limit)
         assert side.force.x == pytest.approx(patch.tangential.x, rel=1e-12)
         across = side.force.y - side.normal.force.y
-        assert across == pytest.approx(mirror * np.cos(patch.contact_angle) * patch.tangential.y, rel=1e-9)
+        # each strip pushes in its own plane: on the tread they turn by a few degrees
+        assert across == pytest.approx(mirror * np.cos(patch.contact_angle) * patch.tangential.y, rel=3e-3)
         outline = side.outline
         power = np.trapezoid(outline.shear * outline.slip * 2 * outline.half_length, outline.station)
         # strips and stations are coarse, and their elastic power is left out
@@ -200,7 +201,7 @@ def test_an_ellipse_of_strips_is_that_ellipse():
     patch = work.sides[1].patches[0]
     for strip in patch.strips:
         strip.slip = patch.creepage_x - patch.spin * strip.y
-        strip.x = 0.0
+        strip.lateral, strip.spin, strip.x = patch.creepage_y, patch.spin, 0.0
     material = {"shear_modulus": 210e9 / 2.56, "poisson_ratio": 0.28}
     exact = roll_ellipse(patch.half_length, patch.half_width, patch.totals.load, creepage_x=patch.creepage_x,
                          creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction, **material)

@@ -61,17 +61,22 @@ def cross_sum(state, work):
             normal = np.array([0.0, -mirror * sine, -cosine])        # from the rail to the wheel
             place = np.array([patch.x_track, patch.y_track, patch.z_track])
             along = np.array([1.0, 0.0, 0.0])
-            rest, turning = patch.tangential.x, patch.tangential.moment
-            moments = []
+            rest_x, rest_y, turning = patch.tangential.x, patch.tangential.y, patch.tangential.moment
+            force, moments = np.zeros(3), []
             for strip in record.strips:
-                force = strip.force_x * strip.width
-                rest, turning = rest - force, turning - mirror * strip.y * force
+                own = np.array([0.0, mirror * strip.sin, -strip.cos])      # its normal
+                force_x, force_y = strip.force_x * strip.width, strip.force_y * strip.width
+                moment = strip.moment * strip.width - strip.x * force_y    # about its own middle
+                rest_x, rest_y = rest_x - force_x, rest_y - force_y
+                turning += mirror * (strip.moment * strip.width - strip.y * force_x)
+                acting = force_x * along + force_y * np.array([0.0, mirror * strip.cos, strip.sin])
                 at = np.array([patch.x_track + strip.x, mirror * strip.y_track, strip.z_track])
-                moments.append(turned(at, strip.rolling_radius, force * along))
-            moments.append(turned(place, patch.rolling_radius, rest * along + patch.tangential.y * outside))
-            moments.append((turning * normal, turning * normal @ axle))
-            force = patch.tangential.x * along + patch.tangential.y * outside
-            total += np.concatenate([force, sum(moment for moment, _ in moments)])
+                moments += [turned(at, strip.rolling_radius, acting),
+                            (-mirror * moment * own, -mirror * moment * own @ axle)]
+                force += acting
+            rest = rest_x * along + rest_y * outside
+            moments += [turned(place, patch.rolling_radius, rest), (turning * normal, turning * normal @ axle)]
+            total += np.concatenate([force + rest, sum(moment for moment, _ in moments)])
             torque -= sum(part for _, part in moments)
             power += patch.friction_power
         found[name] = total, torque, power
@@ -189,7 +194,8 @@ def test_slope_reduction(model):
     for name in ("creepage_x", "creepage_y", "spin"):
         setattr(patch, name, 0.5 * getattr(patch, name))
     for strip in patch.strips:
-        strip.slip *= 0.5
+        for name in ("slip", "lateral", "spin"):
+            setattr(strip, name, 0.5 * getattr(strip, name))
     solve_creep_force(layout.Tables.at(full.tables), work.rolling, patch)
     found = layout.Outputs.at(reduced.outputs).left[1].patch[0]
     assert found.creep_force_x == pytest.approx(patch.creep_x, rel=1e-12)

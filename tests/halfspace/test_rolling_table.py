@@ -58,7 +58,7 @@ def test_many_nodes_are_made_again(table, line):
 
 def test_the_table_is_complete(table):
     forces = table["forces"]
-    assert forces.shape == (9, 5, 13, 10, 4) and np.all(np.isfinite(forces))
+    assert forces.shape == (9, 6, 13, 10, 4) and np.all(np.isfinite(forces))
     for name in ("ratio", "beta", "alpha", "rho"):
         assert table[name] == pytest.approx(getattr(nodes, name.upper()))
     assert table["creep_coefficients"] == pytest.approx(np.array(
@@ -111,7 +111,7 @@ def test_poissons_ratio_changes_the_forces_evenly():
 def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
     """Two ratios, two angles each, on few cells: interrupted after two lines, with half a row written."""
     module = tool()
-    for name, values in (("RATIO", nodes.RATIO[[0, 4]]), ("BETA", nodes.BETA[[0, 4]]),
+    for name, values in (("RATIO", nodes.RATIO[[0, 4]]), ("BETA", nodes.BETA[[0, 5]]),
                          ("ALPHA", nodes.ALPHA[[0, 6, 12]]), ("RHO", nodes.RHO[[2, 8]])):
         monkeypatch.setattr(nodes, name, values)
     solved, solve = [], nodes.solve_line

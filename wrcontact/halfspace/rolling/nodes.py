@@ -21,7 +21,7 @@ from .pressure import Outline
 #: Shorter over longer half-axis in the rows of Kalker's table.
 RATIOS = tuple(k / 10 for k in range(1, 11))
 RATIO = 0.1 * 2.0**np.arange(9)
-BETA = np.radians([0.0, 22.5, 45.0, 67.5, 90.0])
+BETA = np.radians([0.0, 11.25, 22.5, 45.0, 67.5, 90.0])
 ALPHA = np.radians(np.arange(0.0, 181.0, 15.0))
 RHO = np.array([0.25, 0.5, 0.75, 1.0, 1.35, 1.8, 2.5, 3.6, 5.5, 10.0])
 #: Stored of each node: force along and across over mu N, moment over mu N sqrt(ab), share of the area that

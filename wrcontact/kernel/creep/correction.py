@@ -29,6 +29,8 @@ ELEVATION_STRIDE: Final[int] = CORRECTION_AZIMUTHS * CORRECTION_LINE
 RATIO_STRIDE: Final[int] = CORRECTION_ELEVATIONS * ELEVATION_STRIDE
 #: ln 0.1, of the smallest a/b of the table; each one is twice the one before.
 LN_FIRST_RATIO: Final[float] = -2.302585092994045684
+#: Nodes of the elevation are 22.5 degrees apart, with one more in the first interval.
+PER_RADIAN: Final[float] = 2.54647908947032537230        # 8 / pi
 PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
 
 
@@ -86,8 +88,8 @@ def node_at(table: RollingTable, along: float, across: float, turning: float):
     ``along`` and ``turning`` are not negative."""
     flat = sqrt(across * across + turning * turning)
     radius = sqrt(flat * flat + along * along)
-    elevation, on_elevation = table_cell(atan2(along, flat) * (2.0 / pi) * float(CORRECTION_ELEVATIONS - 1),
-                                         float(CORRECTION_ELEVATIONS - 1))
+    place = atan2(along, flat) * PER_RADIAN
+    elevation, on_elevation = table_cell(place + min(place, 1.0), float(CORRECTION_ELEVATIONS - 1))
     azimuth, on_azimuth = table_cell(atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1),
                                      float(CORRECTION_AZIMUTHS - 1))
     cell, on_radius = radius_cell(table, radius / (1.0 + radius))

@@ -25,6 +25,14 @@ passes 1:
 Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
 f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
 
+A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force of
+linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h, u and
+v are taken this many times as well, the second time:
+
+    1 + 0.6 / (1 + 4 k^2) (g - G) / max(g, G)                                                    (Z6)
+
+In an ellipse without spin all g are alike.  u has delta of eq. (K6) in it.
+
 Where the stick zone of eq. (Z2) is about to be none, or asks for tractions beyond the bound at the leading
 edge, its weight c falls smoothly from 1 to 0, so that no force jumps:  with S(z) = z^2 (3 - 2 z),
 D = v^2 + (1 - k^2) U, t = sqrt(1 - d/a) and q = |e (1 - t) + (0, k) t|
@@ -47,8 +55,9 @@ from .tractions import add_strip, bound_rate, patch_area, point_weight
 LATER: Final[float] = 0.08
 #: Share of the strip over which its stick zone fades.
 FADE: Final[float] = 0.1
-#: How much a strip carries more, the more its neighbours slip; eq. (Z5).
-YIELD: Final[float] = 0.25
+#: How much more a strip carries whose neighbours slip, and how spin reduces that; eq. (Z6).
+YIELD: Final[float] = 0.6
+YIELD_TWIST: Final[float] = 4.0
 #: Floor of eq. (Z3): its size, and the a/b and the |k| from which on it does not grow.
 SPREAD_FLOOR: Final[float] = 0.3
 FLOOR_RATIO: Final[float] = 4.5
@@ -68,11 +77,10 @@ def open_stick_zone(march: RollingMarch, shift: float, width: float, ratio: floa
     depth, weight = slip_depth(march.stick_x * march.stick_x + march.spread, march.stick_y, march.twist, a)
     march.depth = depth
     march.weight = weight
-    march.carried = 1.0
     if depth < a:
-        march.carried = 1.0 - 0.5 * depth / a
+        march.carried = weight * (1.0 - 0.5 * depth / a)
     else:
-        march.carried = 0.5 * a / depth
+        march.carried = weight * (0.5 * a / depth)
 
 
 def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
@@ -80,7 +88,8 @@ def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
     linear theory."""
     a = march.half_length
     share = later_share(march.depth / a, ratio)
-    push = share * (1.0 + YIELD * (march.carried - mean) / max(march.carried, mean))
+    yielding = YIELD / (1.0 + YIELD_TWIST * march.twist * march.twist)
+    push = share * (1.0 + yielding * (march.carried - mean) / (max(march.carried, mean) + NOTHING))
     u = push * march.stick_x
     v = push * march.stick_y
     k = share * march.twist

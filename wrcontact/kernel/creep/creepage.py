@@ -57,8 +57,9 @@ def move_patch(motion: Motion, patch: Patch):
 
 def move_strips(motion: Motion, patch: Patch):
     """Creepages and spin of the strips of a patch that rolls."""
+    inverse = 1.0 / patch.speed
     for index in range(ROLLING_STRIP_LIMIT):
-        move_strip(motion, patch.strips[index], patch.x_track, 1.0 / patch.speed)
+        move_strip(motion, patch.strips[index], patch.x_track, inverse)
 
 
 def move_strip(motion: Motion, strip: RollingStrip, x_track: float, inverse: float):

@@ -44,6 +44,8 @@ SHARE: Final[float] = 0.65
 SHARE_RATIO: Final[float] = 1.2
 #: Directions of tractions below this share of the bound fade; eq. (M5).
 SOFT: Final[float] = 0.05
+#: Stick zones of a smaller weight leave the second march more and more as it is without them.
+FAINT: Final[float] = 1e-3
 #: In place of no slip at all.
 NOTHING: Final[float] = 1e-300
 
@@ -253,6 +255,11 @@ def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
     step = marches.edge[i] - x
     to_x, to_y = stepped(marches, i, marches.edge_x[i], marches.edge_y[i], x, step)
     to_x, to_y = cut_to(to_x, to_y, bound)
+    if weight < FAINT:
+        # as if there was no stick zone, of which nothing is left
+        kept = weight / FAINT
+        to_x = marches.second_x[i] + kept * (to_x - marches.second_x[i])
+        to_y = marches.second_y[i] + kept * (to_y - marches.second_y[i])
     marches.second_x[i] = to_x
     marches.second_y[i] = to_y
     slip_x, slip_y = slip_traction(marches, i, bound)

@@ -13,6 +13,12 @@ for longitudinal creepage; e_j are the strips' edges, y_i their middles.  For la
     K1 = f1 G / (2 (1 - nu)) Phi_x^-1 1,   K2 = f2 (G/2) Phi_y^-1 1,   K3 = f3 (G/2) (Phi_s^-1 a) / a   (K3)
 
 in which the factors f, of the patch's length over width, make the force of an ellipse exactly Kalker's.
+Creepages w_x that change across a patch without symmetry ask for more or less in sum than K1 w_x, whose
+stiffnesses are those of a uniform one.  Where strips begin to slip, the uniform creepage which makes up for
+that comes to w_x:
+
+    delta = (sum(a h Phi_x^-1 w_x) - sum(a h K w_x)) / sum(a h K),   K = Phi_x^-1 1              (K6)
+
 Long patches have the mean of K3, weighted with a^2 and width, in all strips: from a/b = 1.5 to 3 it takes
 over.  The equations are solved for pairs of strips; between the middles of pairs stiffnesses follow straight
 lines.  None is taken below a small share of their mean: in spin the outermost strips of patches with a/b < 3
@@ -154,7 +160,7 @@ def solve_blocks(equations: BlockMatrix, sides: int):
 
 def creepage_shift(rolling: Rolling):
     """The longitudinal creepage that strips with K1 w_x lack for the force of eq. (K1) with their own
-    creepages; eq. (K4)."""
+    creepages; delta of eq. (K6)."""
     missing = 0.0
     stiff = 0.0
     for i in range(BLOCK_COUNT):

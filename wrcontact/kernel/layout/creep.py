@@ -19,7 +19,7 @@ REACH_ROW: Final[int] = 4 * REACH_COLUMNS
 # what exact forces of ellipses differ from the strips' by, over ln(a/b) and the saturation in polar
 # coordinates; the last ones are r / (1 + r) with 0 and 1
 CORRECTION_RATIOS: Final[int] = 9
-CORRECTION_ELEVATIONS: Final[int] = 5
+CORRECTION_ELEVATIONS: Final[int] = 6
 CORRECTION_AZIMUTHS: Final[int] = 13
 CORRECTION_RADII: Final[int] = 12
 CORRECTION_COLUMNS: Final[int] = 4   # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
@@ -189,7 +189,7 @@ class Rolling:
     bare: bool                      # whether only the sum over the strips is asked for
     published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
     blocks: RollingBlocks
-    shift: float                    # of longitudinal creepages where strips begin to slip [-], eq. (K4)
+    shift: float                    # of longitudinal creepages where strips begin to slip [-], eq. (K6)
     equations_x: BlockMatrix        # of the blocks, for longitudinal and lateral creepage and for spin
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
