@@ -259,7 +259,11 @@ def differentiated(tmp_path_factory):
     (folder / "__init__.py").touch()
     modules = source_modules()
     for module in modules:
-        Path(folder, f"{module.name}.py").write_bytes(module.text)
+        text = module.text
+        if "native" in module.marks.values():       # without its bodies, which C has by itself
+            names = ", ".join(module.functions)
+            text = f"from wrcontact.kernel.{module.room}.{module.name} import {names}\n".encode()
+        Path(folder, f"{module.name}.py").write_bytes(text)
     for name, text in derivative_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
